@@ -125,6 +125,9 @@ struct PlanGaps {
   bool asset_ids = false;                 // the id of an asset cannot be read
   std::set<std::string> unread_ids;       // of rovers and assets whose Placemark cannot be read
   std::set<std::string> unplaced_rovers;  // ids of rovers whose Point cannot be read
+  // By RoverId the first Sequence from which it is open where the rover drives.
+  std::map<std::string, std::int64_t> open_drives;
+  bool drives_of_any = false;  // a drive belongs to a rover that cannot be told
 
   bool has_ids() const { return rover_ids || asset_ids; }
 };

@@ -9,6 +9,7 @@
 #include "plan/kml_reader.h"
 #include "plan/kml_text.h"
 #include "plan/mission_reader.h"
+#include "plan/open_drives.h"
 #include "plan/plan.h"
 #include "plan/references.h"
 #include "plan/schema_types.h"
@@ -155,6 +156,7 @@ Plan read_plan(const std::string& file, const KmlSource& source, const Declarati
     check_stationary_points(drafts, plan.rovers, plan.gaps, *plan.mission.planet, faults);
     check_far_places(drafts, plan.rovers, plan.assets, plan.gaps, *plan.mission.planet, faults);
   }
+  find_open_drives(drafts, plan.gaps);
   std::erase_if(drafts, [](const DraftEvent& draft) { return !draft.is_read; });
   std::ranges::copy(common_defaults(ours.events, drafts), std::back_inserter(plan.defaults));
   std::ranges::copy(failure_defaults, std::back_inserter(plan.defaults));

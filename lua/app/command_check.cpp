@@ -232,7 +232,7 @@ int check_command(const CheckOptions& options) {
     files.faults.add(not_kept);  // also when a leg has no route
   } else if (options.from.empty()) {
     PlanningWatch watch(options.is_quiet);
-    files.faults.add(ground_faults(files.faults, check_setup(files, options, watch, not_kept)));
+    files.faults.add(ground_faults(files, check_setup(files, options, watch, not_kept)));
   }
   if (options.is_json) {
     print_result("{}", json_text(files, routes, estimate));

@@ -89,7 +89,8 @@ void print_answer(const ReportOptions& options, const std::string& file,
   }
 }
 
-// Text of the run's estimate, which is made where the run has none; "" where it cannot be.
+// Text of the run's estimate, "" where it cannot be made. One that is made is kept with the run, but
+// not where the page goes elsewhere: that leaves the run as it is.
 std::string estimate_of(const ReportOptions& options, const std::string& folder,
                         const LogReader& log, std::vector<std::string>& left_out) {
   if (!options.has_estimate) return "";
@@ -97,8 +98,9 @@ std::string estimate_of(const ReportOptions& options, const std::string& folder,
   const std::string text = read_file(file).value_or("");
   if (nlohmann::json::accept(text)) return text;
   try {
-    make_run_estimate(folder, log, options.threads);
-    return read_file(file).value_or("");
+    const std::string made = run_estimate_again(folder, log, options.threads);
+    if (options.file.empty()) write_file(file, made);
+    return made;
   } catch (const std::exception& error) {
     left_out.push_back(fmt::format("the estimate: {}", error.what()));
     return "";

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "base/console.h"
+#include "base/files.h"
 #include "lua/app/progress.h"
 #include "lua/check/run_estimate.h"
 #include "lua/host/cached_routes.h"
@@ -134,7 +135,8 @@ std::vector<Product> products_of(const MissionUnderWay& mission, const OutcomeOp
   if (options.has_estimate && has_ended) {
     const std::string legs = mission.simulation.cached_legs();
     products.push_back({estimate_file, "report", [&files, path, legs, request](const RunSummary&) {
-                          write_run_estimate(path, files, legs, request.threads);
+                          write_file(path + "/" + estimate_file,
+                                     run_estimate(files, legs, request.threads));
                         }});
   }
   products.push_back({"mission.qgz", "report", [&files, &ground, path](const RunSummary&) {

@@ -1,16 +1,17 @@
-// Faults of a plan's ground and routes where the plan has others that do not touch them.
+// Faults of a plan's ground and routes where the plan has others already.
 #pragma once
 
 #include <vector>
 
 #include "base/error.h"
+#include "lua/host/mission_files.h"
 #include "mission/simulation.h"
 
 namespace lsos {
 
-// Waits that go in a circle change nothing of where rovers stand and drive: the mission is prepared
-// without its waits, and what is wrong then is told in one go. None where `known` has other errors,
-// which may be to blame. `setup`: of that mission.
-std::vector<Fault> ground_faults(const Faults& known, SimulationSetup setup);
+// The mission is prepared as far as its faults leave known where rovers stand and drive, and what
+// is wrong then is told in one go with them. None where faults leave nothing known, such as one of
+// the mission's ground or of a rover's script. `setup`: of that mission.
+std::vector<Fault> ground_faults(const MissionFiles& files, SimulationSetup setup);
 
 }  // namespace lsos

@@ -8,14 +8,13 @@
 
 namespace lsos {
 
-// Writes DIR/estimate.json. `legs`: routes that the run planned, see PlannedLegs; "": those that
+// The text of `estimate_file`. `legs`: routes that the run planned, see PlannedLegs; "": those that
 // are kept beside the plan, what is missing is planned again. Throws InputError where the mission
 // cannot be estimated.
-void write_run_estimate(const std::string& run_dir, const MissionFiles& files,
-                        const std::string& legs, int threads);
+std::string run_estimate(const MissionFiles& files, const std::string& legs, int threads);
 
 // The same of the run in that folder, whose mission is read again. Throws InputError also where the
 // run began as another one ended, which is not read again.
-void make_run_estimate(const std::string& run_dir, const LogReader& log, int threads);
+std::string run_estimate_again(const std::string& run_dir, const LogReader& log, int threads);
 
 }  // namespace lsos

@@ -164,6 +164,10 @@ TEST(Estimate, is_kept_beside_the_results_of_a_run_whose_log_it_does_not_change)
   // The report makes what the run has not, unless it is told not to.
   ASSERT_EQ(run({"report", folder / "without", "--no-estimate", "--no-pictures"}).exit_code, 0);
   EXPECT_FALSE(std::filesystem::exists(file("without", "estimate.json")));
+  const std::string elsewhere = folder / "page.html";
+  ASSERT_EQ(run({"report", folder / "without", "--no-pictures", "-o", elsewhere}).exit_code, 0);
+  EXPECT_THAT(read_text(elsewhere), HasSubstr("\"earth_visible_share\""));
+  EXPECT_FALSE(std::filesystem::exists(file("without", "estimate.json")));
   ASSERT_EQ(run({"report", folder / "without", "--no-pictures"}).exit_code, 0);
   EXPECT_EQ(read_text(file("without", "estimate.json")), kept);
   EXPECT_THAT(read_text(file("without", "report.html")), HasSubstr("\"earth_visible_share\""));

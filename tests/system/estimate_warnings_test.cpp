@@ -157,6 +157,36 @@ TEST(EstimateWarnings, are_none_of_a_plan_with_errors_which_are_told_in_one_go_a
               HasSubstr("the plan has errors: it is not estimated what its events take"));
 }
 
+TEST(EstimateWarnings, leave_out_routes_that_other_faults_leave_open) {
+  const TempFolder folder;
+  const Mark at_pole{
+      "MissionInfo",
+      {{"Planet", "Moon"}, {"StartTime", "2026-01-01T00:00:00Z"}, {"Terrain", "LunarSouthPole"}},
+      ""};
+  const auto route = [&](const char* rover, int sequence, const char* speed) {
+    return event("PathPlanRoute", rover, sequence, {{"MaxSlope", "1"}, {"Speed", speed}},
+                 point("46.30,-89.8439"));
+  };
+  const auto check = [&](const char* rover, const char* speed) {
+    const std::string plan = folder.write(
+        "plan.kml", kml({at_pole, sev("A", "46.332,-89.8434"), sev("B", "46.35,-89.8434"),
+                         event("Pause", "A", 1, {{"Duration", "-1"}}), route("A", 2, "2 km/h"),
+                         route(rover, 1, speed), route("B", 2, "3 km/h")}));
+    return run({"check", plan, "--quiet"}).out;
+  };
+  const std::string of_a = "'PathPlanRoute 2': the goal is on a slope of 10 degrees";
+  const std::string out = check("B", "fast");
+  EXPECT_THAT(out, HasSubstr("Duration = -1"));
+  EXPECT_THAT(out, HasSubstr("Speed = fast"));
+  EXPECT_THAT(out, HasSubstr(of_a));
+  // B's second leg begins where its first ends, whose Speed is not known.
+  EXPECT_EQ(out.find(of_a), out.rfind(of_a)) << out;
+  const std::string of_both = check("B", "2 km/h");
+  EXPECT_NE(of_both.find(of_a), of_both.rfind(of_a)) << of_both;
+  // Whose leg the other one is cannot be told.
+  EXPECT_THAT(check("C", "2 km/h"), Not(HasSubstr("on a slope")));
+}
+
 TEST(EstimateWarnings, are_told_in_one_go_with_other_warnings) {
   EXPECT_THAT(warnings({mission(), sev("A", near_side), event("DeploySP", "A", 1),
                         event("StowSP", "A", 2), pause(3, "40 h")}),
