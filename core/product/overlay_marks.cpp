@@ -232,8 +232,8 @@ OverlayMarks note_points(const ThinnedNotes& notes, Instant start) {
   OverlayMarks marks;
   for (const NoteRow& note : notes.rows) {
     KmlPlacemark mark = placemark(note, start, note.name);
-    mark.description =
-        fmt::format("{} at {} s: {}", note.rover_id, seconds(note.time), note.fields_json);
+    mark.description = html_text(
+        fmt::format("{} at {} s: {}", note.rover_id, seconds(note.time), note.fields_json));
     // It shows where the warning began, so it stays on the map.
     const bool is_warning = note.name == "warn_when";
     if (is_warning) mark.style_id = warning_style_id;
