@@ -210,7 +210,8 @@ std::vector<Table> read_csv(const std::string& bytes, const std::string& file) {
   table.has_letters = true;
   table.has_commas = csv.separator == ';' || csv.separator == '\t';
   std::size_t cells_left = cells_max;
-  for (const CsvRow& row : csv.rows) {
+  for (CsvRow row : csv.rows) {
+    for (std::string& cell : row.cells) cell = unguarded_text(cell);
     if (row.cells.size() > cells_left) {
       throw InputError({file, row.line}, fmt::format("has more than {} cells", cells_max));
     }

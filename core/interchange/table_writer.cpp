@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "access/gdal_access.h"
+#include "base/csv.h"
 #include "base/error.h"
 #include "base/output_error.h"
 #include "interchange/places.h"
@@ -131,7 +132,10 @@ class TableWriter {
                                      "have room for it",
                                      table.header[i], row.number + 1, text.size(), cell_bytes_max));
       }
-      feature->SetField(static_cast<int>(i), text.c_str());
+      const bool is_text =
+          layer.GetLayerDefn()->GetFieldDefn(static_cast<int>(i))->GetType() == OFTString;
+      feature->SetField(static_cast<int>(i),
+                        (is_text && ending_ == ".csv" ? guarded_text(text) : text).c_str());
     }
     if (row.geometry) {
       const std::string wkt = wkt_of(*row.geometry);
