@@ -12,6 +12,7 @@
 #include <string>
 
 #include "base/console.h"
+#include "base/error.h"
 #include "lua/app/progress.h"
 #include "lua/check/run_estimate.h"
 #include "lua/host/cached_routes.h"
@@ -120,6 +121,8 @@ int simulate(Simulation& simulation, Checkpoints& checkpoints, bool is_quiet) {
   progress.finish();
   simulation.terminate();
   news.tell(simulation, progress);
+  const std::string left_out = simulation.warnings_left_out();
+  if (!is_quiet && !left_out.empty()) warn(left_out);
   return stopped_by;
 }
 
@@ -147,6 +150,14 @@ std::vector<Product> products_of(const MissionUnderWay& mission, const OutcomeOp
   return products;
 }
 
+void limit_log(LogWriter& log, double gb) {
+  constexpr double bytes_per_gb = 1e9, greatest_gb = 1e9;
+  if (!(gb > 0 && gb <= greatest_gb)) {
+    throw InputError({}, fmt::format("--log-max {}: more than 0 GB is wanted", gb));
+  }
+  log.limit_size(static_cast<std::uintmax_t>(gb * bytes_per_gb));
+}
+
 }  // namespace
 
 void catch_stop_signals() {
@@ -168,6 +179,7 @@ SimulationSetup run_setup(const MissionFiles& files, const OutcomeOptions& optio
 
 int run_to_end(MissionUnderWay mission, const OutcomeOptions& options) {
   Simulation& simulation = mission.simulation;
+  limit_log(mission.record.log(), options.log_max_gb);
   const int stopped_by = simulate(simulation, mission.checkpoints, options.is_quiet);
   for (const Fault& fault : cache_legs(mission.files.plan.file, simulation.cached_legs())) {
     if (!options.is_quiet) print_message("{}\n", to_string(fault));
