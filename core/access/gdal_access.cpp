@@ -67,7 +67,7 @@ CPLHTTPResult* refuse_fetch(const char* url, CSLConstList, GDALProgressFunc, voi
 
 // What GDAL says outside of a QuietErrors of ours, about files of the plan too.
 void CPL_STDCALL tell_error(CPLErr severity, CPLErrorNum, const char* text) {
-  if (severity >= CE_Warning) print_message("GDAL: {}\n", text);
+  if (severity != CE_None) print_message("GDAL: {}\n", text);
 }
 
 void leave_out_other_drivers() {

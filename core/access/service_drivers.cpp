@@ -87,10 +87,10 @@ bool is_tile_service(const char* kind) {
 GDALDataset* open_described(GDALOpenInfo* info) {
   const ServiceDriver& driver = service_drivers[described];
   if (!is_wanted(driver, info)) return nullptr;
-  const std::string description = description_of(info->pszFilename);
-  const Xml xml(description.find("<GDAL_WMS") == std::string::npos
-                    ? nullptr
-                    : CPLParseXMLString(description.c_str()));
+  std::string description = description_of(info->pszFilename);
+  // What stands before it, such as a declaration of XML, the driver does not take in a text.
+  description.erase(0, std::min(description.find("<GDAL_WMS"), description.size()));
+  const Xml xml(description.empty() ? nullptr : CPLParseXMLString(description.c_str()));
   const char* kind = xml == nullptr ? "" : CPLGetXMLValue(xml.get(), "=GDAL_WMS.Service.name", "");
   if (!is_tile_service(kind) || !has_web_addresses_alone(xml.get())) {
     refuse(

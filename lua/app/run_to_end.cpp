@@ -150,14 +150,6 @@ std::vector<Product> products_of(const MissionUnderWay& mission, const OutcomeOp
   return products;
 }
 
-void limit_log(LogWriter& log, double gb) {
-  constexpr double bytes_per_gb = 1e9, greatest_gb = 1e9;
-  if (!(gb > 0 && gb <= greatest_gb)) {
-    throw InputError({}, fmt::format("--log-max {}: more than 0 GB is wanted", gb));
-  }
-  log.limit_size(static_cast<std::uintmax_t>(gb * bytes_per_gb));
-}
-
 }  // namespace
 
 void catch_stop_signals() {
@@ -167,6 +159,10 @@ void catch_stop_signals() {
 
 SimulationSetup run_setup(const MissionFiles& files, const OutcomeOptions& options,
                           PlanningWatch& watch) {
+  constexpr double greatest_gb = 1e9;
+  if (!(options.log_max_gb > 0 && options.log_max_gb <= greatest_gb)) {
+    throw InputError({}, fmt::format("--log-max {}: more than 0 GB is wanted", options.log_max_gb));
+  }
   SimulationSetup setup = simulation_setup(files);
   setup.threads = options.threads;
   setup.keeps_sight = true;
@@ -179,7 +175,8 @@ SimulationSetup run_setup(const MissionFiles& files, const OutcomeOptions& optio
 
 int run_to_end(MissionUnderWay mission, const OutcomeOptions& options) {
   Simulation& simulation = mission.simulation;
-  limit_log(mission.record.log(), options.log_max_gb);
+  constexpr double bytes_per_gb = 1e9;
+  mission.record.log().limit_size(static_cast<std::uintmax_t>(options.log_max_gb * bytes_per_gb));
   const int stopped_by = simulate(simulation, mission.checkpoints, options.is_quiet);
   for (const Fault& fault : cache_legs(mission.files.plan.file, simulation.cached_legs())) {
     if (!options.is_quiet) print_message("{}\n", to_string(fault));

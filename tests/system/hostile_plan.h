@@ -71,7 +71,7 @@ return lsos.event {
   const std::string rover = in_xml(hostile_rover), text = in_xml(hostile_text);
   std::vector<Mark> marks{mission(),
                           sev(rover, "0,0"),
-                          sev("R2", "0.0002,0"),
+                          sev("R2", "0,0.003"),
                           {"Asset",
                            {{"AssetId", "A" + in_xml(hostile_markup)}, {"AssetType", "Habitat"}},
                            point("0.0005,0.0005")}};
@@ -85,7 +85,7 @@ return lsos.event {
   add("Loud", rover, 20, {{"Says", text}, {"Way", "warns"}});
   add("Loud", rover, 30, {{"Says", text}, {"Way", "fails"}, {"OnFailure", "skip"}});
   add("Loud", rover, 40, {{"Says", text}, {"Way", "breaks"}});
-  add("PathPlanRoute", "R2", 10, {{"WarnWhen", "speed_mps > 0.1"}}, line("0.0002,0 0.0005,0.0002"));
+  add("PathPlanRoute", "R2", 10, {{"WarnWhen", "speed_mps > 0.1"}}, line("0,0.003 0.0003,0.003"));
   std::string document = kml(marks);
   document.insert(document.find("<Placemark>"), "<name>" + text + "</name><Folder><name>" + text +
                                                     "</name><description>" + text +

@@ -85,7 +85,7 @@ TEST_F(HostileTexts, of_results_are_seen) {
   expect_seen({"picture", ran, "--at", "1 s", "--of", hostile_rover, "-o", *folder_ / "x.png"},
               *folder_, false);
   folder_->write("other/plan.kml",
-                 read_text(plan_).replace(read_text(plan_).find("0.0005,0<"), 8, "0.0004,0"));
+                 read_text(plan_).replace(read_text(plan_).find("0.0005,0<"), 8, "0.0009,0"));
   folder_->write("other/events/Loud.lua", read_text(*folder_ / "events/Loud.lua"));
   ASSERT_NE(
       run({*folder_ / "other/plan.kml", "-o", *folder_ / "other_run", "--no-report"}).exit_code, 3);
