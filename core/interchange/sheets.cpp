@@ -19,6 +19,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "base/units.h"
+#include "interchange/cell_text.h"
 #include "interchange/clock_text.h"
 #include "interchange/workbook_archive.h"
 #include "plan/kml_text.h"
@@ -153,7 +154,7 @@ Cells cells_of(OGRLayer& layer, const WorkbookFacts& facts, const std::string& f
     for (int i = 0; i < feature->GetFieldCount(); ++i) {
       std::string text =
           feature->IsFieldSetAndNotNull(i) != 0 ? feature->GetFieldAsString(i) : std::string();
-      if (facts.is_ods) text = ods_clock(plain_number(text));
+      if (facts.is_ods) text = unguarded_in_ods(ods_clock(plain_number(text)));
       if (facts.counts_from_1904) text = shifted_date(text);
       rows[number - 1].push_back(std::move(text));
     }

@@ -38,7 +38,7 @@ class HostilePages : public ::testing::Test {
       await rest(); await rest();
       return {hacked: typeof hacked !== 'undefined' || typeof window.hacked !== 'undefined',
               images: document.querySelectorAll('img[onerror], img[src="x"]').length,
-              text: document.body.textContent.includes('<script>hacked=1</script>')};
+              text: document.body.textContent.includes('<scr' + 'ipt>hacked=1')};
     )js");
   }
 
@@ -67,9 +67,9 @@ std::string balloons_of(const std::string& kml_file) {
 
 TEST_F(HostilePages, run_no_script_in_a_report) {
   const nlohmann::json seen = hacked(*folder_ / "run/report.html");
-  EXPECT_EQ(seen["hacked"], false) << seen;
-  EXPECT_EQ(seen["images"], 0) << seen;
-  EXPECT_EQ(seen["text"], true) << seen;
+  EXPECT_FALSE(seen.value("hacked", true)) << seen;
+  EXPECT_EQ(seen.value("images", -1), 0) << seen;
+  EXPECT_TRUE(seen.value("text", false)) << seen;
 }
 
 TEST_F(HostilePages, run_no_script_in_a_page_of_several_runs) {
@@ -77,16 +77,16 @@ TEST_F(HostilePages, run_no_script_in_a_page_of_several_runs) {
       run({"report", *folder_ / "run", *folder_ / "run", "-o", *folder_ / "both.html"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const nlohmann::json seen = hacked(*folder_ / "both.html");
-  EXPECT_EQ(seen["hacked"], false) << seen;
-  EXPECT_EQ(seen["images"], 0) << seen;
+  EXPECT_FALSE(seen.value("hacked", true)) << seen;
+  EXPECT_EQ(seen.value("images", -1), 0) << seen;
 }
 
 TEST_F(HostilePages, run_no_script_in_balloons_of_an_overlay) {
   const std::string page = balloons_of(*folder_ / "run/overlay.kml");
   const nlohmann::json seen = hacked(folder_->write("balloons.html", page));
-  EXPECT_EQ(seen["hacked"], false) << seen;
-  EXPECT_EQ(seen["images"], 0) << seen;
-  EXPECT_EQ(seen["text"], true) << seen;
+  EXPECT_FALSE(seen.value("hacked", true)) << seen;
+  EXPECT_EQ(seen.value("images", -1), 0) << seen;
+  EXPECT_TRUE(seen.value("text", false)) << seen;
 }
 
 TEST_F(HostilePages, run_no_script_in_balloons_of_an_annotated_or_imported_plan) {
@@ -119,8 +119,8 @@ TEST_F(HostilePages, run_no_script_in_balloons_of_an_annotated_or_imported_plan)
   for (const std::string& file : {annotated, imported}) {
     if (!std::filesystem::exists(file)) continue;
     const nlohmann::json seen = hacked(folder_->write("balloons.html", balloons_of(file)));
-    EXPECT_EQ(seen["hacked"], false) << file << seen;
-    EXPECT_EQ(seen["images"], 0) << file << seen;
+    EXPECT_FALSE(seen.value("hacked", true)) << file << seen;
+    EXPECT_EQ(seen.value("images", -1), 0) << file << seen;
   }
 }
 
