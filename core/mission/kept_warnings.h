@@ -26,7 +26,7 @@ class KeptWarnings {
       ++left_out_;
     }
   }
-  // Of the run's end, as few as there are rovers: kept in any case.
+  // Warnings of the run's end are as few as its rovers, and kept in any case.
   void add_last(std::string warning) { texts_.push_back(std::move(warning)); }
 
   const std::vector<std::string>& texts() const { return texts_; }

@@ -21,7 +21,7 @@ ShownRows for_each_shown_path(const LogReader& log,
     ++paths.shown;
     visit(row);
   });
-  // Of a run that goes on some were written after counting.
+  // Some rows of a run that goes on were written after counting.
   paths.in_log = std::max(paths.in_log, paths.shown);
   return paths;
 }
