@@ -7,15 +7,15 @@
 #include <gdal_priv.h>
 #include <ogr_srs_api.h>
 
-#include <algorithm>
-#include <array>
 #include <mutex>
-#include <string_view>
 #include <vector>
 
 #include "access/bounded_files.h"
+#include "access/bounded_projections.h"
 #include "access/file_access.h"
 #include "access/refusal.h"
+#include "access/service_drivers.h"
+#include "base/console.h"
 
 namespace lsos {
 
@@ -65,36 +65,9 @@ CPLHTTPResult* refuse_fetch(const char* url, CSLConstList, GDALProgressFunc, voi
   return result;
 }
 
-// A driver that calls a server, and how it knows what is meant for it, without any call.
-struct ServiceDriver {
-  const char* name;
-  int (*identify)(GDALOpenInfo*) = nullptr;
-};
-std::array service_drivers{ServiceDriver{"WMS"}, ServiceDriver{"WMTS"}, ServiceDriver{"WCS"},
-                           ServiceDriver{"OGCAPI"}, ServiceDriver{"HTTP"}};
-
-template <std::size_t index>
-GDALDataset* refuse_service(GDALOpenInfo* info) {
-  const auto identify = service_drivers[index].identify;
-  if (identify != nullptr && identify(info) > 0) refuse(refused_network(info->pszFilename));
-  return nullptr;
-}
-
-template <std::size_t index>
-void refuse_services() {
-  if constexpr (index < service_drivers.size()) {
-    GDALDriver* driver = GetGDALDriverManager()->GetDriverByName(service_drivers[index].name);
-    if (driver != nullptr) {
-      service_drivers[index].identify = driver->pfnIdentify;
-      driver->pfnOpen = refuse_service<index>;
-    }
-    refuse_services<index + 1>();
-  }
-}
-
-bool is_service(const char* driver) {
-  return std::ranges::any_of(
-      service_drivers, [&](const ServiceDriver& service) { return EQUAL(service.name, driver); });
+// What GDAL says outside of a QuietErrors of ours, about files of the plan too.
+void CPL_STDCALL tell_error(CPLErr severity, CPLErrorNum, const char* text) {
+  if (severity != CE_None) print_message("GDAL: {}\n", text);
 }
 
 void leave_out_other_drivers() {
@@ -104,7 +77,7 @@ void leave_out_other_drivers() {
   for (int i = 0; i < manager.GetDriverCount(); ++i) {
     GDALDriver* driver = manager.GetDriver(i);
     const char* name = driver->GetDescription();
-    if (kept.FindString(name) < 0 && !is_service(name)) others.push_back(driver);
+    if (kept.FindString(name) < 0 && !is_service_driver(name)) others.push_back(driver);
   }
   for (GDALDriver* driver : others) {
     manager.DeregisterDriver(driver);
@@ -117,6 +90,10 @@ void leave_out_other_drivers() {
 void register_drivers() {
   static std::once_flag once;
   std::call_once(once, [] {
+    if (is_access_restricted()) {
+      bound_projections();
+      CPLSetErrorHandler(tell_error);
+    }
     GDALAllRegister();
     if (!is_access_restricted()) return;
     // A VRT may hold Python.
@@ -125,7 +102,11 @@ void register_drivers() {
     if (!has_network_access()) {
       OSRSetPROJEnableNetwork(FALSE);
       CPLHTTPSetFetchCallback(refuse_fetch, nullptr);
-      refuse_services<0>();
+    }
+    bound_service_drivers();
+    // libcurl would send the user's names and passwords from ~/.netrc; who wants that, says so.
+    if (CPLGetConfigOption("GDAL_HTTP_NETRC", nullptr) == nullptr) {
+      CPLSetConfigOption("GDAL_HTTP_NETRC", "NO");
     }
     bound_other_ways();
     // GDAL's own tables.

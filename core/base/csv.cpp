@@ -1,7 +1,9 @@
 #include "base/csv.h"
 
 #include <algorithm>
+#include <cctype>
 
+#include "base/replaced.h"
 #include "base/text.h"
 
 namespace lsos {
@@ -114,7 +116,41 @@ class Reader {
   CsvTable& table_;
 };
 
+// "-5.2 deg", "-31.5,20.1; -31.4,20.2": a sign, a digit, and nothing that could call a function.
+bool is_signed_number(std::string_view text) {
+  constexpr std::string_view signs = "+-", calls = "()|!=@'\"{}[]<>&*^\t\r\n";
+  return text.size() > 1 && signs.find(text[0]) != std::string_view::npos &&
+         (std::isdigit(static_cast<unsigned char>(text[1])) != 0 || text[1] == '.') &&
+         text.find_first_of(calls) == std::string_view::npos;
+}
+
+bool is_like_formula(std::string_view text) {
+  constexpr std::string_view begins = "=+-@\t\r";
+  return !text.empty() && begins.find(text[0]) != std::string_view::npos && !is_signed_number(text);
+}
+
+// Whether an apostrophe in front is needed: for a formula, and for a text that would lose one.
+bool needs_guard(std::string_view text) {
+  const std::size_t apostrophes = std::min(text.find_first_not_of('\''), text.size());
+  return is_like_formula(text.substr(apostrophes));
+}
+
 }  // namespace
+
+std::string guarded_text(std::string_view text) {
+  return (needs_guard(text) ? "'" : "") + std::string(text);
+}
+
+std::string unguarded_text(std::string_view text) {
+  const bool is_guarded = text.starts_with('\'') && needs_guard(text.substr(1));
+  return std::string(is_guarded ? text.substr(1) : text);
+}
+
+std::string csv_cell(std::string_view text) {
+  const std::string guarded = guarded_text(text);
+  if (guarded.find_first_of(",\"\n\r") == std::string::npos) return guarded;
+  return '"' + replaced(guarded, "\"", "\"\"") + '"';
+}
 
 CsvTable parse_csv(std::string_view text) {
   CsvTable table;

@@ -26,4 +26,13 @@ struct CsvTable {
 // Lines before the heading that begin with '#' are comments.
 CsvTable parse_csv(std::string_view text);
 
+// Text as a cell of commas, quoted where RFC 4180 asks for it. Spreadsheets evaluate cells that
+// begin with =, +, - or @, also in quotes: such a text gets an apostrophe in front, as a planner
+// types it there and OWASP recommends ("CSV injection"). Numbers, also with a unit or as lists, are
+// no formulas.
+std::string csv_cell(std::string_view text);
+// The text with such an apostrophe, and without it. The second undoes the first for every text.
+std::string guarded_text(std::string_view text);
+std::string unguarded_text(std::string_view text);
+
 }  // namespace lsos

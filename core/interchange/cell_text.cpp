@@ -113,4 +113,22 @@ std::string unit_fault(const std::string& unit, const FieldDeclaration& field) {
   return fmt::format("({}) is no unit of {}; there are {}", unit, field.name, allowed);
 }
 
+namespace {
+
+// Whether it is one, behind any number of apostrophes.
+bool is_ods_formula(std::string_view text) {
+  text.remove_prefix(std::min(text.find_first_not_of('\''), text.size()));
+  return text.starts_with("of:=");
+}
+
+}  // namespace
+
+std::string guarded_in_ods(const std::string& text) {
+  return is_ods_formula(text) ? "'" + text : text;
+}
+
+std::string unguarded_in_ods(const std::string& text) {
+  return text.starts_with('\'') && is_ods_formula(text) ? text.substr(1) : text;
+}
+
 }  // namespace lsos

@@ -22,4 +22,9 @@ std::string with_known_unit(const std::string& text, std::string_view kind);
 // Why the unit in a column's header cannot be used for a field; "" when it can.
 std::string unit_fault(const std::string& unit, const FieldDeclaration& field);
 
+// GDAL writes a text "of:=..." into an ODS workbook as a formula, unless an apostrophe stands in
+// front. The second function undoes the first.
+std::string guarded_in_ods(const std::string& text);
+std::string unguarded_in_ods(const std::string& text);
+
 }  // namespace lsos

@@ -19,6 +19,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "base/units.h"
+#include "interchange/cell_text.h"
 #include "interchange/clock_text.h"
 #include "interchange/workbook_archive.h"
 #include "plan/kml_text.h"
@@ -153,7 +154,7 @@ Cells cells_of(OGRLayer& layer, const WorkbookFacts& facts, const std::string& f
     for (int i = 0; i < feature->GetFieldCount(); ++i) {
       std::string text =
           feature->IsFieldSetAndNotNull(i) != 0 ? feature->GetFieldAsString(i) : std::string();
-      if (facts.is_ods) text = ods_clock(plain_number(text));
+      if (facts.is_ods) text = unguarded_in_ods(ods_clock(plain_number(text)));
       if (facts.counts_from_1904) text = shifted_date(text);
       rows[number - 1].push_back(std::move(text));
     }
@@ -210,7 +211,8 @@ std::vector<Table> read_csv(const std::string& bytes, const std::string& file) {
   table.has_letters = true;
   table.has_commas = csv.separator == ';' || csv.separator == '\t';
   std::size_t cells_left = cells_max;
-  for (const CsvRow& row : csv.rows) {
+  for (CsvRow row : csv.rows) {
+    for (std::string& cell : row.cells) cell = unguarded_text(cell);
     if (row.cells.size() > cells_left) {
       throw InputError({file, row.line}, fmt::format("has more than {} cells", cells_max));
     }

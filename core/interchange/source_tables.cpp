@@ -8,7 +8,9 @@
 #include <map>
 
 #include "base/error.h"
+#include "base/replaced.h"
 #include "base/sha256.h"
+#include "base/visible_text.h"
 #include "interchange/columns.h"
 #include "interchange/map_tables.h"
 #include "interchange/outline.h"
@@ -59,6 +61,12 @@ std::vector<Table> without_names(std::vector<Table> tables) {
   return tables;
 }
 
+// The text as it comes back from a plan, which is XML: without control characters, each line ended
+// by a line feed.
+std::string text_in_xml(const std::string& text) {
+  return replaced(replaced(xml_text(text), "\r\n", "\n"), "\r", "\n");
+}
+
 std::vector<Table> json_tables(const std::string& bytes, const std::string& file,
                                const Declarations& declarations,
                                std::vector<std::string>& left_out) {
@@ -71,10 +79,8 @@ std::vector<Table> json_tables(const std::string& bytes, const std::string& file
   return read_xpjson(bytes, file, events, left_out);
 }
 
-}  // namespace
-
-std::vector<Table> read_tables(const std::string& file, const Declarations& declarations,
-                               std::vector<std::string>& left_out) {
+std::vector<Table> tables_in(const std::string& file, const Declarations& declarations,
+                             std::vector<std::string>& left_out) {
   const std::string ending = ending_of(file);
   const bool is_workbook = ending == ".xlsx" || ending == ".ods";
   const bool is_csv = ending == ".csv" || ending == ".tsv";
@@ -106,6 +112,20 @@ std::vector<Table> read_tables(const std::string& file, const Declarations& decl
   throw InputError(
       {file, 0}, fmt::format("{} is no format that is imported; there are {}",
                              ending.empty() ? "a name without an ending" : ending, import_formats));
+}
+
+}  // namespace
+
+std::vector<Table> read_tables(const std::string& file, const Declarations& declarations,
+                               std::vector<std::string>& left_out) {
+  std::vector<Table> tables = tables_in(file, declarations, left_out);
+  for (Table& table : tables) {
+    for (std::string& name : table.header) name = text_in_xml(name);
+    for (TableRow& row : table.rows) {
+      for (std::string& text : row.cells) text = text_in_xml(text);
+    }
+  }
+  return tables;
 }
 
 void report_equal_files(const std::vector<std::string>& files, Faults& faults) {

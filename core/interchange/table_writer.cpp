@@ -9,8 +9,10 @@
 #include <memory>
 
 #include "access/gdal_access.h"
+#include "base/csv.h"
 #include "base/error.h"
 #include "base/output_error.h"
+#include "interchange/cell_text.h"
 #include "interchange/places.h"
 #include "terrain/raster/gdal_call.h"
 
@@ -131,7 +133,9 @@ class TableWriter {
                                      "have room for it",
                                      table.header[i], row.number + 1, text.size(), cell_bytes_max));
       }
-      feature->SetField(static_cast<int>(i), text.c_str());
+      const bool is_text =
+          layer.GetLayerDefn()->GetFieldDefn(static_cast<int>(i))->GetType() == OFTString;
+      feature->SetField(static_cast<int>(i), (is_text ? guarded(text) : text).c_str());
     }
     if (row.geometry) {
       const std::string wkt = wkt_of(*row.geometry);
@@ -142,6 +146,12 @@ class TableWriter {
       feature->SetGeometryDirectly(geometry);
     }
     if (layer.CreateFeature(feature.get()) != OGRERR_NONE) refuse(GdalSilence::message());
+  }
+
+  // The text as the format has it, so that no spreadsheet takes it for a formula.
+  std::string guarded(const std::string& text) const {
+    if (ending_ == ".csv") return guarded_text(text);
+    return ending_ == ".ods" ? guarded_in_ods(text) : text;
   }
 
   std::string ending_, file_, path_;

@@ -209,6 +209,9 @@ Turn Simulation::turn_of(const FleetRover& rover) const {
 }
 
 void Simulation::run_scripts() {
+  // Notes wait in their rovers until the exchange ends, but not more of them than this.
+  constexpr std::size_t note_bytes_max = std::size_t{16} << 20;
+  std::size_t note_bytes = 0;
   const std::size_t ended_before = fleet_.events_ended();
   for (FleetRover& rover : fleet_.rovers) {
     const bool is_due = rover.wake && *rover.wake <= now_;
@@ -216,6 +219,11 @@ void Simulation::run_scripts() {
     rover.sequence.run(turn_of(rover));
     rover.wake = rover.sequence.wake(now_, machine_.mission.start_time);
     take_warnings(rover);
+    note_bytes += rover.agent->journal().note_bytes();
+    if (note_bytes > note_bytes_max) {
+      log_.write_notes(fleet_, now_);
+      note_bytes = 0;
+    }
   }
   // An event that waits for one that has ended may start at the next exchange.
   if (fleet_.events_ended() == ended_before) return;
@@ -237,7 +245,7 @@ void Simulation::stop(const std::string& reason, bool is_failure) {
 void Simulation::take_warnings(FleetRover& rover) {
   for (const auto& warnings :
        {rover.sequence.take_warnings(), rover.agent->journal().take_warnings()}) {
-    warnings_.insert(warnings_.end(), warnings.begin(), warnings.end());
+    for (const std::string& warning : warnings) warnings_.add(warning);
   }
 }
 

@@ -23,6 +23,7 @@
 #include "mission/fleet/preparation.h"
 #include "mission/fleet/rover_result.h"
 #include "mission/fleet/simulation_setup.h"
+#include "mission/kept_warnings.h"
 #include "mission/model/machine.h"
 #include "mission/model/plan_revision.h"
 
@@ -67,7 +68,9 @@ class Simulation : private Surroundings {
 
   std::vector<EventRow> events() const;
   std::vector<RoverResult> results() const;
-  const std::vector<std::string>& warnings() const { return warnings_; }
+  const std::vector<std::string>& warnings() const { return warnings_.texts(); }
+  // Says how many more there were than are kept; "" when all are.
+  std::string warnings_left_out() const { return warnings_.rest(); }
   // Warnings known before the start: about the terrain, legs without a route, and equipment that
   // events need.
   std::vector<Fault> advice() const;
@@ -155,7 +158,7 @@ class Simulation : private Surroundings {
   WorkerPool pool_;
   SimTime now_{};
   bool is_finished_ = false;
-  std::vector<std::string> warnings_;
+  KeptWarnings warnings_;
 };
 
 }  // namespace lsos

@@ -52,13 +52,15 @@ std::vector<Fault> Simulation::ground_end_warnings() const {
 void Simulation::warn_of_ends() {
   const auto add = [&](const SightOverEnd& looks) {
     const auto warning = looks.warning(setup_.plan.mission.start_time);
-    if (warning) warnings_.push_back(*warning);
+    if (warning) warnings_.add_last(*warning);
   };
   if (sunlight_) add(sunlight_->over_end());
   if (!sight_) return;
   add(sight_->watch().earth_over_end());
   add(sight_->watch().pairs_over_end());
-  std::ranges::copy(sight_->warnings_of_own_way(fleet_, now_), std::back_inserter(warnings_));
+  for (std::string& warning : sight_->warnings_of_own_way(fleet_, now_)) {
+    warnings_.add_last(std::move(warning));
+  }
 }
 
 }  // namespace lsos

@@ -9,6 +9,25 @@ namespace {
 
 constexpr double apart_m = 0.05, still_mps = 1e-3;
 
+// A track with more points keeps every second and adds them at twice the distance: pictures show
+// tracks of some hundred metres about a rover.
+constexpr std::size_t track_points_max = 1'000'000;
+
+struct Track {
+  std::vector<TrackPoint> points;
+  double spacing_m = apart_m;
+
+  void add(const SampleRow& row) {
+    if (!points.empty() && (row.p_S_m - points.back().p_S_m).norm() <= spacing_m) return;
+    points.push_back({row.time, row.p_S_m});
+    if (points.size() < track_points_max) return;
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < points.size(); k += 2) points[kept++] = points[k];
+    points.resize(kept);
+    spacing_m *= 2;
+  }
+};
+
 // Two successive samples of a rover with a requested time between them.
 struct SamplePair {
   LoggedRover from;
@@ -111,6 +130,7 @@ LoggedRun read_logged(const LogReader& log, std::span<const SimTime> times, cons
   LoggedRun run;
   std::vector<SamplePairs> moments(times.size());
   std::map<std::string, Follower> followers;
+  std::map<std::string, Track> tracks;
   log.for_each_sample([&](const SampleRow& row) {
     if (times.empty()) return;
     Follower& follower = followers[row.rover_id];
@@ -118,11 +138,9 @@ LoggedRun read_logged(const LogReader& log, std::span<const SimTime> times, cons
     follower.fill(moments, times, &row);
     if (row.time > times.back()) return;
     follower.last = row;
-    std::vector<TrackPoint>& track = run.tracks[row.rover_id];
-    if (track.empty() || (row.p_S_m - track.back().p_S_m).norm() > apart_m) {
-      track.push_back({row.time, row.p_S_m});
-    }
+    tracks[row.rover_id].add(row);
   });
+  for (auto& [id, track] : tracks) run.tracks[id] = std::move(track.points);
   for (auto& [id, follower] : followers) follower.fill(moments, times, nullptr);
   const RowAssigner joiner(moments);
   log.for_each_joint([&](const JointRow& row) { joiner.add(row, &LoggedRover::joints); },

@@ -6,6 +6,7 @@
 #include <set>
 #include <tuple>
 
+#include "base/visible_text.h"
 #include "plan/far_places.h"
 #include "plan/geometry.h"
 #include "plan/suggestions.h"
@@ -41,7 +42,7 @@ class EventsReader {
     read_identity(fields, draft);
     draft.has_default_label = ours.placemark->name.empty();
     event.label = draft.has_default_label ? fmt::format("{} {}", event.type, event.sequence)
-                                          : ours.placemark->name;
+                                          : one_line(ours.placemark->name);
     read_common(fields, draft);
     const int faults_before = fields.fault_count();
     event.params = fields.read(declaration.fields, &draft.defaults);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/visible_text.h"
 #include "plan/geometry.h"
 #include "plan/mission_reader.h"
 #include "plan/suggestions.h"
@@ -19,6 +20,9 @@ void check_id(FieldReader& fields, const std::string& field_name, const std::str
   if (id == "ground") fields.error(field_name, "this name stands for the ground in the log");
   if (id.find(',') != std::string::npos) {
     fields.error(field_name, "a comma is not allowed: it stands between ids in lists");
+  }
+  if (has_control_characters(id)) {
+    fields.error(field_name, "line ends and other control characters are not allowed in an id");
   }
   const Place& place = fields.subject().place;
   const auto [first, is_new] = ids.emplace(id, place);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "product/column_json.h"
 #include "product/quantity_text.h"
@@ -22,7 +23,11 @@ class Collector {
 
   void add(const std::string& of, const std::string& quantity, const Json& a, const Json& b) {
     if (a == b) return;
-    Difference difference{of, quantity, a.dump(), b.dump(), {}};
+    Difference difference{of,
+                          quantity,
+                          a.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace),
+                          b.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace),
+                          {}};
     if (a.is_number() && b.is_number()) difference.change = b.get<double>() - a.get<double>();
     found_.push_back(std::move(difference));
   }
@@ -140,7 +145,9 @@ Json json_of(const std::vector<Difference>& differences) {
 
 // A warning without a leading "file:line: ", as plans are named the way they were typed.
 std::string without_place(const Json& warning) {
-  std::string text = warning.is_string() ? warning.get<std::string>() : warning.dump();
+  std::string text = warning.is_string()
+                         ? warning.get<std::string>()
+                         : warning.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   for (std::size_t end = text.find(": "); end < text.find('\n'); end = text.find(": ", end + 1)) {
     const std::size_t colon = text.find_last_not_of("0123456789", end - 1);
     if (colon != std::string::npos && colon + 1 < end && text[colon] == ':') {
@@ -186,14 +193,16 @@ Comparison compare(const ComparedRun& run_a, const ComparedRun& run_b) {
     if (texts_a == texts_b) continue;
     // Each text of one run is matched with one of the other, so a text that occurs twice must occur
     // twice there as well.
-    const auto lacking = [](const Json& all, Json of) {
+    const auto lacking = [](const Json& all, const Json& of) {
+      std::multiset<std::string> others;
+      for (const Json& text : of) others.insert(without_place(text));
       Json rest = Json::array();
       for (const Json& text : all) {
-        const auto same = std::ranges::find(of, without_place(text), without_place);
-        if (same == of.end()) {
+        const auto same = others.find(without_place(text));
+        if (same == others.end()) {
           rest.push_back(text);
         } else {
-          of.erase(same);
+          others.erase(same);
         }
       }
       return rest;

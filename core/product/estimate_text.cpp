@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "base/csv.h"
+
 namespace lsos {
 
 namespace {
@@ -139,14 +141,6 @@ std::string range_text(const std::optional<Expected>& value, double unit, int di
   return low + "-" + high + suffix;
 }
 
-// In quotes where the text has a separator, a quote or a line end.
-std::string cell(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
 using Cells = std::vector<std::string>;
 
 Cells cells_of(const Line& line) {
@@ -227,8 +221,8 @@ std::string estimate_csv(const MissionEstimate& estimate) {
       "earth_visible_share_high,end_s_low,end_s_high,energy_used_j_low,energy_used_j_high,"
       "charge_end_low,charge_end_high,charge_min_low,charge_min_high\n";
   for (const EventEstimate& event : estimate.events) {
-    text += fmt::format("{},{},{},{}", cell(event.rover_id), event.sequence, cell(event.type),
-                        cell(event.label));
+    text += fmt::format("{},{},{},{}", csv_cell(event.rover_id), event.sequence,
+                        csv_cell(event.type), csv_cell(event.label));
     for (const auto& value : {event.start_s, event.end_s, event.distance_m, event.energy_used_j,
                               event.solar_j, event.charge_end, event.charge_min}) {
       text += value ? fmt::format(",{}", *value) : ",";

@@ -15,6 +15,7 @@
 #include "product/overlay_style.h"
 #include "product/rover_days.h"
 #include "product/rover_track.h"
+#include "product/shown_rows.h"
 #include "product/thinned_notes.h"
 
 namespace lsos {
@@ -147,7 +148,7 @@ std::map<std::string, RoverTrack> tracks(const LogReader& log, const Plan& plan,
 // What the Placemarks of all rovers are made of.
 struct LoggedMarks {
   const Plan& plan;
-  std::vector<PlannedPathRow> paths;
+  std::vector<PlannedPathRow> paths;  // with simplified lines
   std::vector<EventRow> events;
   Instant start;
   SimTime end;
@@ -158,11 +159,10 @@ struct LoggedMarks {
 std::vector<KmlFolder> rover_folders(const RoverTrack& track, const LoggedMarks& logged,
                                      const std::string& rover_id, const RoverStyle& style) {
   const auto& [plan, paths, events, start, end] = logged;
-  std::vector<KindOfMarks> at_times{
-      {"planned", planned_lines(paths, start, *plan.mission.planet, rover_id, style)},
-      {"driven", driven_lines(track, start, rover_id, style)},
-      {"events", event_points(events, start, rover_id)},
-      {"samples", sample_points(track, start, rover_id, style)}};
+  std::vector<KindOfMarks> at_times{{"planned", planned_lines(paths, start, rover_id, style)},
+                                    {"driven", driven_lines(track, start, rover_id, style)},
+                                    {"events", event_points(events, start, rover_id)},
+                                    {"samples", sample_points(track, start, rover_id, style)}};
   std::vector<KmlFolder> folders{
       folder_of(rover_id + " plan", drawn_lines(plan, rover_id, style)),
       folder_of(rover_id + " track", moving_point(track, start, rover_id, style))};
@@ -181,11 +181,15 @@ std::vector<KmlFolder> rover_folders(const RoverTrack& track, const LoggedMarks&
 }  // namespace
 
 std::string overlay_kml(const LogReader& log, const Plan& plan, IconPlace icon_href) {
-  const LoggedMarks logged{plan, log.planned_paths(), log.events(), log.start(),
-                           log.last_sample_time()};
+  LoggedMarks logged{plan, {}, log.events(), log.start(), log.last_sample_time()};
+  const ShownRows paths = for_each_shown_path(log, [&](const PlannedPathRow& row) {
+    logged.paths.push_back(row);
+    logged.paths.back().line = simplified_line(*plan.mission.planet, row.line);
+  });
   KmlDocument document;
   document.name = fmt::format("{}, simulated", std::filesystem::path(plan.file).stem().string());
   document.description = fmt::format("simulated from {}", format_utc(logged.start));
+  if (!paths.is_whole()) document.description += "; " + shown_text(paths, "planned paths");
   document.target = target_of(*plan.mission.planet);
   document.schemas = overlay_schemas();
   std::size_t i = 0;

@@ -123,7 +123,7 @@ OverlayMarks drawn_lines(const Plan& plan, const std::string& rover_id, const Ro
 
 // Planned lines are white, to contrast with the driven line in the rover's colour.
 OverlayMarks planned_lines(const std::vector<PlannedPathRow>& paths, Instant start,
-                           const Body& body, const std::string& rover_id, const RoverStyle& style) {
+                           const std::string& rover_id, const RoverStyle& style) {
   OverlayMarks marks;
   for (const PlannedPathRow& path : paths) {
     if (path.rover_id != rover_id) continue;
@@ -133,7 +133,7 @@ OverlayMarks planned_lines(const std::vector<PlannedPathRow>& paths, Instant sta
                               path.leg, path.attempt > 0 ? " again" : ""));
     line.description = balloon(path);
     line.style_id = style.planned_id;
-    line.geometry = {KmlGeometryKind::line, unwrapped_longitudes(simplified_line(body, path.line))};
+    line.geometry = {KmlGeometryKind::line, unwrapped_longitudes(path.line)};
     marks.push_back({path.time, std::move(line)});
   }
   return marks;
@@ -232,8 +232,8 @@ OverlayMarks note_points(const ThinnedNotes& notes, Instant start) {
   OverlayMarks marks;
   for (const NoteRow& note : notes.rows) {
     KmlPlacemark mark = placemark(note, start, note.name);
-    mark.description =
-        fmt::format("{} at {} s: {}", note.rover_id, seconds(note.time), note.fields_json);
+    mark.description = html_text(
+        fmt::format("{} at {} s: {}", note.rover_id, seconds(note.time), note.fields_json));
     // It shows where the warning began, so it stays on the map.
     const bool is_warning = note.name == "warn_when";
     if (is_warning) mark.style_id = warning_style_id;

@@ -26,7 +26,7 @@ std::vector<KmlSchema> overlay_schemas();
 
 OverlayMarks drawn_lines(const Plan& plan, const std::string& rover_id, const RoverStyle& style);
 OverlayMarks planned_lines(const std::vector<PlannedPathRow>& paths, Instant start,
-                           const Body& body, const std::string& rover_id, const RoverStyle& style);
+                           const std::string& rover_id, const RoverStyle& style);
 OverlayMarks driven_lines(const RoverTrack& track, Instant start, const std::string& rover_id,
                           const RoverStyle& style);
 // An event belongs to the time of its end, or of its start while it goes on.

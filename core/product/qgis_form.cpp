@@ -18,7 +18,8 @@ namespace {
 // Expression for the layer of that name. QGIS calls layers "mission - Route" or "Route", depending
 // on how the file was opened, so the name is derived from that of the own layer.
 std::string layer_expression(const FormLayer& own, std::string_view name) {
-  return fmt::format("regexp_replace(@layer_name, '{}$', '{}')", own.name, name);
+  return fmt::format("regexp_replace(@layer_name, {}, {})", sql_text(own.name + "$"),
+                     sql_text(std::string(name)));
 }
 
 bool has_field(const FormLayer& layer, std::string_view name) {
@@ -46,7 +47,7 @@ std::string widget_xml(const FormField& field) {
   }
   return fmt::format(R"(<field name="{}"><editWidget type="{}"><config><Option type="Map">{})"
                      R"(</Option></config></editWidget></field>)",
-                     field.declaration.name, type, config);
+                     xml_escaped(field.declaration.name), type, config);
 }
 
 // Ten more than the highest Sequence of all layers that QGIS has open.
@@ -97,7 +98,7 @@ std::string tabs_of(const FormLayer& layer) {
                                                          &FieldDeclaration::name) != common.end();
     (is_common ? when : what) +=
         fmt::format(R"(<attributeEditorField name="{}" index="{}" showLabel="1"/>)",
-                    field.declaration.name, index++);
+                    xml_escaped(field.declaration.name), index++);
   }
   const auto page = [](const char* title, const std::string& fields) {
     if (fields.empty()) return std::string();
@@ -114,8 +115,8 @@ std::string tabs_of(const FormLayer& layer) {
 std::string table_of(const FormLayer& layer) {
   constexpr int width_px = 290;
   const auto column = [&](const std::string& name, int is_hidden) {
-    return fmt::format(R"(<column type="field" name="{}" width="{}" hidden="{}"/>)", name, width_px,
-                       is_hidden);
+    return fmt::format(R"(<column type="field" name="{}" width="{}" hidden="{}"/>)",
+                       xml_escaped(name), width_px, is_hidden);
   };
   std::string columns = column("fid", 1) + column("name", 0);
   for (const FormField& field : layer.fields) columns += column(field.declaration.name, 0);
@@ -187,7 +188,8 @@ std::string area_symbol(const FormLayer& layer) {
 std::string label_of(const FormLayer& layer) {
   if (layer.name == "Asset") return R"("AssetId")";
   if (!has_field(layer, "Sequence")) return R"("RoverId")";
-  return fmt::format(R"(concat("Sequence", ' ', coalesce(nullif("name", ''), '{}')))", layer.name);
+  return fmt::format(R"(concat("Sequence", ' ', coalesce(nullif("name", ''), {})))",
+                     sql_text(layer.name));
 }
 
 // <renderer-v2> and <labeling>; "" where there is nothing to draw.
@@ -216,18 +218,18 @@ std::string style_of(const FormLayer& layer, const std::vector<FormLayer>& layer
   int index = 2;  // after fid and name
   for (const FormField& field : layer.fields) {
     const FieldDeclaration& declaration = field.declaration;
+    const std::string name = xml_escaped(declaration.name);
     widgets += widget_xml(field);
     // Durations without a unit are seconds, whatever unit they are shown in.
     const Unit* unit = declaration.kind == FieldKind::duration ? find_unit("s") : declaration.unit;
-    aliases += fmt::format(R"(<alias index="{}" field="{}" name="{}"/>)", index++, declaration.name,
+    aliases += fmt::format(R"(<alias index="{}" field="{}" name="{}"/>)", index++, name,
                            xml_escaped(alias_of(declaration.name, declaration.doc, unit)));
-    initials +=
-        fmt::format(R"(<default field="{}" expression="{}" applyOnUpdate="0"/>)", declaration.name,
-                    xml_escaped(initial_expression(field, layer, layers)));
+    initials += fmt::format(R"(<default field="{}" expression="{}" applyOnUpdate="0"/>)", name,
+                            xml_escaped(initial_expression(field, layer, layers)));
     constraints += fmt::format(
         R"(<constraint field="{}" constraints="{}" notnull_strength="{}" exp_strength="0" )"
         R"(unique_strength="0"/>)",
-        declaration.name, declaration.is_required ? 1 : 0, declaration.is_required ? 2 : 0);
+        name, declaration.is_required ? 1 : 0, declaration.is_required ? 2 : 0);
   }
   return fmt::format(
       "<!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>\n"

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "base/visible_text.h"
+
 namespace lsos {
 
 namespace {
@@ -85,7 +87,7 @@ std::string qgis_labeling(const std::string& expression, QgisPlacement placement
 
 std::string xml_escaped(std::string_view text) {
   std::string escaped;
-  for (const char c : text) {
+  for (const char c : xml_text(text)) {
     switch (c) {
       case '&':
         escaped += "&amp;";

@@ -12,6 +12,7 @@
 #include "base/units.h"
 #include "picture/rover_colors.h"
 #include "product/drive_marks.h"
+#include "product/shown_rows.h"
 
 namespace lsos {
 
@@ -121,11 +122,12 @@ void read_lines(const LogReader& log, const Plan& plan, const SiteFrame& site, R
       rover->drawn.back().push_back(rover->drawn.back().front());
     }
   }
-  for (const PlannedPathRow& path : log.planned_paths()) {
+  const ShownRows paths = for_each_shown_path(log, [&](const PlannedPathRow& path) {
     if (ReportRover* rover = find_rover(data, path.rover_id)) {
       rover->planned.push_back(map_line(site, path.line));
     }
-  }
+  });
+  if (!paths.is_whole()) data.left_out.push_back(shown_text(paths, "planned paths"));
   for (const PlanAsset& asset : plan.assets) {
     data.assets.push_back({asset.id, asset.type, map_point(site, asset.position)});
   }
@@ -160,19 +162,27 @@ void read_pairs(const LogReader& log, ReportData& data) {
     pair.to_id = to_id;
     (is_link ? pair.link_s : pair.visible_s).emplace_back(seconds(begin), seconds(end));
   };
-  for (const SightIntervalRow& row : log.sight_intervals()) {
+  ShownRows intervals;
+  log.for_each_sight_interval([&](const SightIntervalRow& row) {
+    const bool is_shown = ++intervals.in_log <= shown_intervals_max;
+    if (is_shown) ++intervals.shown;
     if (row.kind == "hidden" || row.kind == "relayed") {
+      if (!is_shown) return;
       ReportPair& pair = pairs[{row.from_id, row.to_id}];
       pair.from_id = row.from_id;
       pair.to_id = row.to_id;
       auto& spans_by = row.kind == "hidden" ? pair.hidden_s : pair.relayed_s;
       spans_by[row.by].emplace_back(seconds(row.start), seconds(row.end));
-      continue;
+      return;
     }
     const bool is_link = row.kind == "link";
-    add(row.from_id, row.to_id, is_link, row.start, row.end);
+    if (is_shown) add(row.from_id, row.to_id, is_link, row.start, row.end);
     OpenSight& sight = open[{row.from_id, row.to_id}];
     (is_link ? sight.link : sight.visible).closed_until = row.end;
+  });
+  if (!intervals.is_whole()) {
+    data.left_out.push_back(
+        shown_text(intervals, "intervals in which rovers and Earth see each other, the first"));
   }
   log.for_each_pair([&](const PairRow& row) {
     OpenSight& sight = open[{row.from_id, row.to_id}];

@@ -90,6 +90,7 @@ struct ReportData {
   std::map<std::string, std::string> run;
   std::vector<std::string> quantities;  // names of the series that rovers have
   int stretches = report_stretches;     // that their series were thinned to
+  std::vector<std::string> left_out;    // what the page lacks of the log, and says so
 };
 
 // `site`: the frame of the map, and of the log's x_m, y_m unless the scope has another.

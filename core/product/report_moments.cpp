@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 
 #include "product/rover_days.h"
@@ -21,45 +22,59 @@ constexpr std::size_t rovers_most = 3;  // whose start and end are shown
 // much detail, and few show more than the plots.
 constexpr std::size_t stops_most_of_days = 3, starts_most_of_days = 1;
 
-// Times at which each rover's panels went up or down.
-class PanelTimes {
- public:
-  explicit PanelTimes(const LogReader& log) {
-    log.for_each_panel([&](const PanelRow& row) {
-      auto& changes = by_rover_[row.rover_id];
-      const bool is_up = !std::isnan(row.azimuth_rad);
-      // One of several panels is enough for the rover to count as up.
-      if (!changes.empty() && changes.back().first == row.time) {
-        changes.back().second |= is_up;
-      } else if (changes.size() < 2 || changes.back().second != is_up ||
-                 changes[changes.size() - 2].second != is_up) {
-        changes.emplace_back(row.time, is_up);
-      } else {
-        changes.back().first = row.time;
-      }
-    });
-  }
-  bool is_up(const std::string& rover_id, SimTime time) const {
-    const auto found = by_rover_.find(rover_id);
-    if (found == by_rover_.end()) return false;
-    bool is_up = false;
-    for (const auto& [at, then] : found->second) {
-      if (at > time) break;
-      is_up = then;
-    }
-    return is_up;
-  }
-
- private:
-  std::map<std::string, std::vector<std::pair<SimTime, bool>>> by_rover_;
-};
-
 SimTime middle(const EventRow& event) {
   return round_up_to_exchange((*event.start + *event.end) / 2);
 }
 
+// Whether each rover has a panel up in the middle of each of its events: all that is kept of the
+// rows, of which a long run has millions.
+class PanelsAtEvents {
+ public:
+  PanelsAtEvents(const LogReader& log, const std::vector<EventRow>& events) {
+    for (const EventRow& event : events) {
+      if (event.start && event.end) by_rover_[event.rover_id].moments.push_back({middle(event)});
+    }
+    for (auto& [id, rover] : by_rover_) std::ranges::sort(rover.moments, {}, &Moment::time);
+    log.for_each_panel([&](const PanelRow& row) {
+      const auto found = by_rover_.find(row.rover_id);
+      if (found != by_rover_.end()) found->second.add(row);
+    });
+    for (auto& [id, rover] : by_rover_) rover.settle(SimTime::max());
+  }
+  bool is_up(const EventRow& event) const {
+    const std::vector<Moment>& moments = by_rover_.at(event.rover_id).moments;
+    return std::ranges::lower_bound(moments, middle(event), {}, &Moment::time)->is_up;
+  }
+
+ private:
+  struct Moment {
+    SimTime time;
+    bool is_up = false;
+  };
+  struct Rover {
+    std::vector<Moment> moments;  // in order of time
+    std::size_t next = 0;         // first that is not settled yet
+    std::optional<SimTime> last;  // of the rows so far
+    bool is_up = false;           // then; one of several panels is enough
+
+    void add(const PanelRow& row) {
+      const bool is_up_now = !std::isnan(row.azimuth_rad);
+      if (last != row.time) settle(row.time);
+      is_up = is_up_now || (last == row.time && is_up);
+      last = row.time;
+    }
+    // Those before a time are as the rover is.
+    void settle(SimTime before) {
+      for (; next < moments.size() && moments[next].time < before; ++next) {
+        moments[next].is_up = is_up;
+      }
+    }
+  };
+  std::map<std::string, Rover> by_rover_;
+};
+
 // Stops with panels up. The longest of the events between two drives stands for the stop.
-std::vector<ReportMoment> solar_stops(const ReportData& data, const PanelTimes& panels) {
+std::vector<ReportMoment> solar_stops(const ReportData& data, const PanelsAtEvents& panels) {
   std::vector<ReportMoment> stops;
   const EventRow* longest = nullptr;
   const auto end_stop = [&] {
@@ -78,7 +93,7 @@ std::vector<ReportMoment> solar_stops(const ReportData& data, const PanelTimes& 
       continue;
     }
     const SimTime took = *event.end - *event.start;
-    if (took < stop || !panels.is_up(rover_id, middle(event))) continue;
+    if (took < stop || !panels.is_up(event)) continue;
     if (longest == nullptr || took > *longest->end - *longest->start) longest = &event;
   }
   end_stop();
@@ -107,7 +122,7 @@ std::optional<ReportMoment> first_failure(const ReportData& data,
 
 std::vector<ReportMoment> report_moments(const LogReader& log, const ReportData& data,
                                          std::vector<std::string>& left_out) {
-  const PanelTimes panels(log);
+  const PanelsAtEvents panels(log, data.events);
   const bool has_days = from_seconds(data.end_s) > day_length;
   const std::size_t starts_most = has_days ? starts_most_of_days : rovers_most;
   std::vector<ReportMoment> moments;

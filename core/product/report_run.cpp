@@ -79,6 +79,7 @@ std::string report_of(PictureRun run, const LogReader& log, const std::string& s
       left_out.push_back(fmt::format("pictures: {}", error.what()));
     }
   }
+  left_out.insert(left_out.end(), data.left_out.begin(), data.left_out.end());
   extras.left_out = left_out;
   return report_html(data, run.files.plan, site, summary, extras);
 }

@@ -11,6 +11,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/csv.h"
 #include "base/files.h"
 #include "planet/sunlight.h"
 
@@ -180,25 +181,17 @@ void add_earth(const LogReader& log, DaysByRover& rovers) {
   for (auto& [id, days] : rovers) {
     for (RoverDay& day : days) day.earth_visible_s = day.earth_link_s = 0;
   }
-  for (const SightIntervalRow& row : log.sight_intervals()) {
+  log.for_each_sight_interval([&](const SightIntervalRow& row) {
     const auto rover = rovers.find(row.from_id);
-    if (row.kind != "visible" && row.kind != "link") continue;
-    if (row.to_id != "Earth" || rover == rovers.end()) continue;
+    if (row.kind != "visible" && row.kind != "link") return;
+    if (row.to_id != "Earth" || rover == rovers.end()) return;
     for (RoverDay& day : rover->second) {
       const double from_s = std::max(day.from_s, seconds(row.start));
       const double to_s = std::min(day.to_s, seconds(row.end));
       if (to_s <= from_s) continue;
       (row.kind == "link" ? day.earth_link_s : day.earth_visible_s) += to_s - from_s;
     }
-  }
-}
-
-// A field with quotes where RFC 4180 asks for them.
-std::string csv_text(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + '"';
+  });
 }
 
 }  // namespace
@@ -266,7 +259,7 @@ std::string days_csv(const std::vector<RoverDay>& days, Instant start) {
   for (const DayColumn& column : day_columns()) csv += fmt::format(",{}", column.name);
   csv += '\n';
   for (const RoverDay& day : days) {
-    csv += fmt::format("{},{},{}", csv_text(day.rover_id), day.day,
+    csv += fmt::format("{},{},{}", csv_cell(day.rover_id), day.day,
                        format_utc(start + from_seconds(day.from_s)));
     for (const DayColumn& column : day_columns()) {
       const double value = day.*column.value;

@@ -66,6 +66,7 @@ void RoverTrack::add(const SampleRow& row) {
   } else if (piece_length_ > SimTime{0} &&
              row.time / piece_length_ > pieces_.back().from / piece_length_) {
     end_at(last_, *body_, pieces_.back().line);
+    pieces_.back().line = simplified_line(*body_, pieces_.back().line);
     pieces_.push_back({row.time / piece_length_ * piece_length_, {last_}});
   }
   std::vector<Geodetic>& line = pieces_.back().line;
@@ -77,9 +78,12 @@ void RoverTrack::add(const SampleRow& row) {
 
 std::vector<RoverTrack::Piece> RoverTrack::driven() const {
   std::vector<Piece> driven = pieces_;
-  if (!driven.empty()) end_at(last_, *body_, driven.back().line);
+  if (!driven.empty()) {
+    std::vector<Geodetic>& line = driven.back().line;
+    end_at(last_, *body_, line);
+    line = simplified_line(*body_, line);
+  }
   std::erase_if(driven, [](const Piece& piece) { return piece.line.size() < 2; });
-  for (Piece& piece : driven) piece.line = simplified_line(*body_, piece.line);
   return driven;
 }
 

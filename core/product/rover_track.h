@@ -52,7 +52,7 @@ class RoverTrack {
   SimTime track_interval_, next_{};  // when the next sample of the track is due
   KeptRows samples_, track_;
   SimTime piece_length_;
-  std::vector<Piece> pieces_;  // with a point about every 0.5 m
+  std::vector<Piece> pieces_;  // the last with a point about every 0.5 m, the others simplified
   Geodetic last_;
 };
 

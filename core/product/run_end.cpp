@@ -122,11 +122,13 @@ RunEnd read_run_end(const LogReader& log) {
   const TimeSpan span{first_of_last, last};
   log.for_each_joint([&](const JointRow& row) { visit_last(row, add_joint); }, span);
   log.for_each_panel([&](const PanelRow& row) { visit_last(row, add_panel); }, span);
-  for (const ResourceRow& row : log.resources()) {
-    visit_last(row, [](RoverEnd& rover, const ResourceRow& last_row) {
-      rover.start.resources[last_row.resource] = last_row.amount;
-    });
-  }
+  log.for_each_resource(
+      [&](const ResourceRow& row) {
+        visit_last(row, [](RoverEnd& rover, const ResourceRow& last_row) {
+          rover.start.resources[last_row.resource] = last_row.amount;
+        });
+      },
+      span);
   const auto visit_all = [&](const auto& row, auto add) {
     const auto rover = end.rovers.find(row.rover_id);
     if (rover != end.rovers.end()) add(rover->second, row);

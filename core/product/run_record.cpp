@@ -78,6 +78,8 @@ RunSummary summarise(const Simulation& simulation, const MissionModel& files, do
   }
   for (const Fault& fault : files.faults.sorted()) summary.warnings.push_back(to_string(fault));
   for (const std::string& warning : simulation.warnings()) summary.warnings.push_back(warning);
+  const std::string left_out = simulation.warnings_left_out();
+  if (!left_out.empty()) summary.warnings.push_back(left_out);
   summary.assumptions = files.assumptions;
   for (const std::string& assumption : simulation.assumptions()) {
     summary.assumptions.push_back(assumption);

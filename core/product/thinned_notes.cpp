@@ -9,21 +9,23 @@ namespace lsos {
 
 namespace {
 
-// Keeps `limit` of `count` items, evenly spread.
-struct Stride {
-  std::size_t count = 0, limit = 0;
-  std::size_t passed = 0;
-
-  bool keeps_next() {
-    const std::size_t k = passed++;
-    if (limit >= count || k == 0) return limit > 0;
-    if (limit == 1) return false;
-    const auto step = [&](std::size_t i) { return i * (limit - 1) / (count - 1); };
-    return step(k) > step(k - 1);
-  }
-};
+// The first bytes of a text, cut before a character.
+std::string beginning(const std::string& text, std::size_t bytes_max) {
+  if (text.size() <= bytes_max) return text;
+  std::size_t end = bytes_max;
+  while (end > 0 && (text[end] & 0xc0) == 0x80) --end;
+  return text.substr(0, end) + "...";
+}
 
 }  // namespace
+
+bool EvenChoice::takes_next() {
+  const std::size_t k = passed++;
+  if (limit >= count || k == 0) return limit > 0;
+  if (limit == 1) return false;
+  const auto step = [&](std::size_t i) { return i * (limit - 1) / (count - 1); };
+  return step(k) > step(k - 1);
+}
 
 std::size_t limit_of_each(std::vector<std::size_t> counts, std::size_t most) {
   std::ranges::sort(counts);
@@ -40,23 +42,24 @@ ThinnedNotes thinned_notes(const LogReader& log, std::size_t most) {
   const LogReader::NoteCounts kinds = log.note_counts(most);
   ThinnedNotes notes;
   notes.in_log = kinds.in_all;
-  std::map<LogReader::NoteKind, Stride> strides;
+  std::map<LogReader::NoteKind, EvenChoice> choices;
   std::vector<std::size_t> counts;
   for (const auto& [kind, count] : kinds.by_kind) counts.push_back(count);
   const std::size_t limit = limit_of_each(counts, most);
-  for (const auto& [kind, count] : kinds.by_kind) strides[kind] = {count, limit};
+  for (const auto& [kind, count] : kinds.by_kind) choices[kind] = {count, limit};
   // If there are more kinds than notes that can be shown, all notes are treated as one kind.
   const bool is_one_kind = kinds.by_kind.empty();
-  Stride all{kinds.in_all, most};
+  EvenChoice all{kinds.in_all, most};
   log.for_each_note([&](const NoteRow& row) {
-    Stride* stride = &all;
+    EvenChoice* choice = &all;
     if (!is_one_kind) {
-      const auto known = strides.find({row.rover_id, row.name});
-      if (known == strides.end()) return;  // in a run that goes on: written after counting
-      stride = &known->second;
+      const auto known = choices.find({row.rover_id, row.name});
+      if (known == choices.end()) return;  // in a run that goes on: written after counting
+      choice = &known->second;
     }
-    if (!stride->keeps_next()) return;
+    if (!choice->takes_next()) return;
     NoteRow& kept = notes.rows.emplace_back(row);
+    kept.name = beginning(row.name, shown_note_name_bytes_max);
     if (kept.fields_json.size() > shown_note_bytes_max) {
       kept.fields_json =
           fmt::format("{{\"left_out\":\"{} bytes; log.gpkg has them\"}}", row.fields_json.size());

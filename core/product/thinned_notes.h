@@ -10,8 +10,16 @@ namespace lsos {
 
 // Greatest number of notes that are shown; the log has all.
 inline constexpr std::size_t shown_notes_max = 2000;
-// Fields of a note that are longer than this many bytes are not shown.
-inline constexpr std::size_t shown_note_bytes_max = 4096;
+// Fields of a note that are longer than this many bytes are not shown, and of its name the first.
+inline constexpr std::size_t shown_note_bytes_max = 4096, shown_note_name_bytes_max = 200;
+
+// Chooses `limit` of `count` items, evenly spread, as they come.
+struct EvenChoice {
+  std::size_t count = 0, limit = 0;
+  std::size_t passed = 0;
+
+  bool takes_next();
+};
 
 struct ThinnedNotes {
   std::vector<NoteRow> rows;  // in order of the log

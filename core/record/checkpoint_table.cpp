@@ -12,6 +12,8 @@ namespace {
 // How many of the recent ones stay, in case that the last cannot be read.
 constexpr int recent_count = 3;
 
+constexpr const char* parts_table = "lsos_checkpoint_parts";
+
 const char* const kinds[] = {"recent", "kept", "stop"};
 
 std::optional<CheckpointKind> kind_of(const std::string& text) {
@@ -21,8 +23,12 @@ std::optional<CheckpointKind> kind_of(const std::string& text) {
   return {};
 }
 
+// Bytes of a checkpoint that one statement holds. A statement is written out and copied several
+// times on its way, so that a state of 100 MB, as scripts may have, took 1.5 GB.
+constexpr std::size_t part_bytes = std::size_t{4} << 20;
+
 // All of it in one block of bytes, so that one hash guards it.
-std::string bytes_of(StoredCheckpoint checkpoint) {
+std::string bytes_of(StoredCheckpoint& checkpoint) {
   Archive a = Archive::writer();
   LSOS_ARCHIVE(a, checkpoint.time, checkpoint.kind, checkpoint.wall_s, checkpoint.last_fids,
                checkpoint.state);
@@ -49,6 +55,33 @@ bool has_table(GDALDataset& dataset, const char* name = "lsos_checkpoints") {
   return is_there;
 }
 
+void append_content(const OGRFeature& row, int field, std::string& bytes) {
+  int size = 0;
+  const GByte* content = row.GetFieldAsBinary(field, &size);
+  if (content == nullptr) return;
+  bytes.append(reinterpret_cast<const char*>(content), static_cast<std::size_t>(size));
+}
+
+// The bytes of the last checkpoint, which are too many for its own row.
+void add_parts(GDALDataset& dataset, std::string_view bytes) {
+  run_sql(dataset,
+          fmt::format("CREATE TABLE IF NOT EXISTS {} (checkpoint INTEGER NOT NULL, part INTEGER "
+                      "NOT NULL, content BLOB NOT NULL, PRIMARY KEY (checkpoint, part))",
+                      parts_table));
+  for (std::size_t part = 0; part * part_bytes < bytes.size(); ++part) {
+    run_sql(dataset,
+            fmt::format("INSERT INTO {} SELECT max(id), {}, X'{}' FROM lsos_checkpoints",
+                        parts_table, part, hex(bytes.substr(part * part_bytes, part_bytes))));
+  }
+}
+
+void remove_parts_of_none(GDALDataset& dataset) {
+  if (!has_table(dataset, parts_table)) return;
+  run_sql(dataset, fmt::format("DELETE FROM {} WHERE checkpoint NOT IN (SELECT id FROM "
+                               "lsos_checkpoints)",
+                               parts_table));
+}
+
 }  // namespace
 
 void make_checkpoint_table(GDALDataset& dataset) {
@@ -58,27 +91,34 @@ void make_checkpoint_table(GDALDataset& dataset) {
           "NULL)");
 }
 
-void add_checkpoint(GDALDataset& dataset, const StoredCheckpoint& checkpoint) {
+void add_checkpoint(GDALDataset& dataset, StoredCheckpoint& checkpoint) {
   const std::string bytes = bytes_of(checkpoint);
+  const bool has_parts = bytes.size() > part_bytes;
   run_sql(dataset,
           fmt::format("INSERT INTO lsos_checkpoints (time_us, kind, sha256, content) VALUES ({}, "
                       "'{}', '{}', X'{}')",
                       checkpoint.time.count(), kinds[static_cast<int>(checkpoint.kind)],
-                      sha256_hex(bytes), hex(bytes)));
+                      sha256_hex(bytes), has_parts ? "" : hex(bytes)));
+  if (has_parts) add_parts(dataset, bytes);
   run_sql(dataset, fmt::format("DELETE FROM lsos_checkpoints WHERE kind = 'recent' AND id NOT IN "
                                "(SELECT id FROM lsos_checkpoints WHERE kind = 'recent' ORDER BY "
                                "id DESC LIMIT {})",
                                recent_count));
+  remove_parts_of_none(dataset);
 }
 
 void remove_passing_checkpoints(GDALDataset& dataset) {
   if (!has_table(dataset)) return;
   run_sql(dataset, "DELETE FROM lsos_checkpoints WHERE kind <> 'kept'");
-  if (checkpoint_entries(dataset).empty()) run_sql(dataset, "DROP TABLE lsos_checkpoints");
+  remove_parts_of_none(dataset);
+  if (!checkpoint_entries(dataset).empty()) return;
+  run_sql(dataset, "DROP TABLE lsos_checkpoints");
+  run_sql(dataset, fmt::format("DROP TABLE IF EXISTS {}", parts_table));
 }
 
 void remove_checkpoints_after(GDALDataset& dataset, std::int64_t id) {
   run_sql(dataset, fmt::format("DELETE FROM lsos_checkpoints WHERE id > {}", id));
+  remove_parts_of_none(dataset);
 }
 
 std::vector<CheckpointEntry> checkpoint_entries(GDALDataset& dataset) {
@@ -99,11 +139,14 @@ std::optional<StoredCheckpoint> read_checkpoint(GDALDataset& dataset, std::int64
   run_sql(dataset, fmt::format("SELECT sha256, content FROM lsos_checkpoints WHERE id = {}", id),
           [&](const OGRFeature& row) {
             sha256 = row.GetFieldAsString(0);
-            int size = 0;
-            const GByte* content = row.GetFieldAsBinary(1, &size);
-            if (content == nullptr) return;
-            bytes.assign(reinterpret_cast<const char*>(content), static_cast<std::size_t>(size));
+            append_content(row, 1, bytes);
           });
+  if (bytes.empty() && !sha256.empty() && has_table(dataset, parts_table)) {
+    run_sql(
+        dataset,
+        fmt::format("SELECT content FROM {} WHERE checkpoint = {} ORDER BY part", parts_table, id),
+        [&](const OGRFeature& row) { append_content(row, 0, bytes); });
+  }
   if (bytes.empty() || sha256_hex(bytes) != sha256) return {};
   try {
     StoredCheckpoint checkpoint;

@@ -11,7 +11,7 @@ namespace lsos::gpkg {
 
 void make_checkpoint_table(GDALDataset& dataset);
 // Adds one, and removes the oldest `recent` ones but a few.
-void add_checkpoint(GDALDataset& dataset, const StoredCheckpoint& checkpoint);
+void add_checkpoint(GDALDataset& dataset, StoredCheckpoint& checkpoint);
 // Removes all but the kept ones, and the table when none is left.
 void remove_passing_checkpoints(GDALDataset& dataset);
 // Removes those written after this one; after 0: all.

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 
 #include "access/file_access.h"
 #include "access/gdal_access.h"
@@ -113,6 +114,21 @@ Dataset open_to_write(const std::string& file) {
   const WriteAheadLog settings;
   const char* const drivers[] = {"GPKG", nullptr};
   return Dataset(GDALDataset::Open(file.c_str(), GDAL_OF_VECTOR | GDAL_OF_UPDATE, drivers));
+}
+
+std::string size_fault(const std::string& file, std::uintmax_t bytes_max) {
+  constexpr double gb = 1e9;
+  std::uintmax_t bytes = 0;
+  for (const char* part : {"", "-wal"}) {
+    std::error_code absent;
+    const std::uintmax_t size = std::filesystem::file_size(file + part, absent);
+    if (!absent) bytes += size;
+  }
+  if (bytes_max == 0 || bytes <= bytes_max) return "";
+  return fmt::format(
+      "{}: takes {:.3g} GB, where {:.3g} GB are allowed; --log-max allows more, and lsos-host "
+      "resume then goes on",
+      file, static_cast<double>(bytes) / gb, static_cast<double>(bytes_max) / gb);
 }
 
 OGRLayer* create_layer(GDALDataset& dataset, const LayerSpec& spec, OGRSpatialReference& crs) {

@@ -5,6 +5,7 @@
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -43,6 +44,10 @@ Dataset create(const std::string& file);
 Dataset open_to_read(const std::string& file);
 // The same, to write more in WAL mode.
 Dataset open_to_write(const std::string& file);
+
+// Says that the file, with what is not folded into it yet, takes more than so many bytes; "" where
+// it does not, or `bytes_max` is 0.
+std::string size_fault(const std::string& file, std::uintmax_t bytes_max);
 
 // nullptr on failure.
 OGRLayer* create_layer(GDALDataset& dataset, const LayerSpec& spec, OGRSpatialReference& crs);

@@ -1,6 +1,7 @@
 // The log of a run: one GeoPackage that other programs can read at any moment.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
@@ -62,6 +63,9 @@ class LogWriter {
 
   // Styles are not part of the digest.
   void write_styles(const std::vector<LayerStyle>& styles);
+
+  // From now on a commit with which the file takes more than that throws LogError.
+  void limit_size(std::uintmax_t bytes);
 
   // Commits if the last commit is about a second of wall time old.
   void commit_if_due();
@@ -131,20 +135,28 @@ class LogReader {
   void for_each_panel(const std::function<void(const PanelRow&)>& visit,
                       const TimeSpan& within = {}) const;
   void for_each_pair(const std::function<void(const PairRow&)>& visit) const;
+  void for_each_sight_interval(const std::function<void(const SightIntervalRow&)>& visit) const;
+  void for_each_resource(const std::function<void(const ResourceRow&)>& visit,
+                         const TimeSpan& within = {}) const;
+  void for_each_planned_path(const std::function<void(const PlannedPathRow&)>& visit) const;
   void for_each_note(const std::function<void(const NoteRow&)>& visit) const;
   // False if the run was killed before its first sample.
   bool has_samples() const;
   // Keyed by rover id.
   std::map<std::string, SampleTotals> sample_totals() const;
+  // Number of rows of a layer of the contract.
+  std::size_t row_count(std::string_view layer) const;
   // Number of rows of the pair that has most.
   std::size_t pair_count() const;
   using NoteKind = std::pair<std::string, std::string>;  // rover_id, name
   struct NoteCounts {
     std::size_t in_all = 0;
-    std::map<NoteKind, std::size_t> by_kind;  // empty if there are more than kinds_max
+    // Empty if there are more than kinds_max, or one with a name of more than 200 characters.
+    std::map<NoteKind, std::size_t> by_kind;
   };
   NoteCounts note_counts(std::size_t kinds_max) const;
-  // The rows of a layer that follow `fid`, at most `count`, in fid order.
+  // The rows of a layer that follow `fid`, at most `count`, in fid order; fewer where they are
+  // large, but at least one where there is one.
   std::vector<LogRow> rows_after(std::string_view layer, std::int64_t fid, std::size_t count) const;
   // Time of the row that was written last; 0 if there is none.
   SimTime last_sample_time() const;

@@ -55,6 +55,7 @@ std::optional<LogDifference> difference(const LayerSpec& layer, std::int64_t num
 std::optional<LogDifference> first_difference(const LogReader& a, const LogReader& b,
                                               const LayerSpec& layer) {
   std::int64_t fid_a = 0, fid_b = 0, number = 0;
+  // Both readers cut where rows are large at the same one, as long as the rows are equal.
   for (;;) {
     const std::vector<LogRow> rows_a = a.rows_after(layer.name, fid_a, rows_at_once);
     const std::vector<LogRow> rows_b = b.rows_after(layer.name, fid_b, rows_at_once);
@@ -68,7 +69,7 @@ std::optional<LogDifference> first_difference(const LogReader& a, const LogReade
       (rows_a.size() > both ? found.a : found.b) = std::string("a row");
       return found;
     }
-    if (both < rows_at_once) return std::nullopt;
+    if (both == 0) return std::nullopt;
     fid_a = rows_a.back().fid;
     fid_b = rows_b.back().fid;
   }

@@ -78,6 +78,15 @@ std::string geometry_wkb(const OGRFeature& feature) {
   return wkb;
 }
 
+std::size_t size_of(const LogRow& row) {
+  std::size_t bytes = row.geometry.size();
+  for (const ColumnValue& value : row.values) {
+    const auto* text = std::get_if<std::string>(&value);
+    bytes += sizeof value + (text == nullptr ? 0 : text->size());
+  }
+  return bytes;
+}
+
 void add_geometry(Sha256& hash, const OGRFeature& feature) {
   const std::string wkb = geometry_wkb(feature);
   if (wkb.empty()) {
@@ -219,6 +228,18 @@ void LogReader::for_each_panel(const std::function<void(const PanelRow&)>& visit
 void LogReader::for_each_pair(const std::function<void(const PairRow&)>& visit) const {
   impl_->for_each_row<PairRow>(visit);
 }
+void LogReader::for_each_sight_interval(
+    const std::function<void(const SightIntervalRow&)>& visit) const {
+  impl_->for_each_row<SightIntervalRow>(visit);
+}
+void LogReader::for_each_resource(const std::function<void(const ResourceRow&)>& visit,
+                                  const TimeSpan& within) const {
+  impl_->for_each_row<ResourceRow>(within, visit);
+}
+void LogReader::for_each_planned_path(
+    const std::function<void(const PlannedPathRow&)>& visit) const {
+  impl_->for_each_row<PlannedPathRow>(visit);
+}
 void LogReader::for_each_note(const std::function<void(const NoteRow&)>& visit) const {
   impl_->for_each_row<NoteRow>(visit);
 }
@@ -231,8 +252,10 @@ std::vector<LogRow> LogReader::rows_after(std::string_view layer, std::int64_t f
   const gpkg::QuietErrors errors;
   const Filter filter(source, fmt::format("{} > {}", source.GetFIDColumn(), fid));
   source.ResetReading();
+  constexpr std::size_t bytes_max = std::size_t{16} << 20;
+  std::size_t bytes = 0;
   std::vector<LogRow> rows;
-  while (rows.size() < count) {
+  while (rows.size() < count && bytes < bytes_max) {
     const gpkg::Feature feature{source.GetNextFeature()};
     if (feature == nullptr) break;
     LogRow& row = rows.emplace_back(LogRow{feature->GetFID(), {}, {}});
@@ -240,6 +263,7 @@ std::vector<LogRow> LogReader::rows_after(std::string_view layer, std::int64_t f
       row.values.push_back(gpkg::value(*feature, numbers[i], spec.columns[i].type));
     }
     if (spec.geometry != LayerGeometry::none) row.geometry = geometry_wkb(*feature);
+    bytes += size_of(row);
   }
   if (errors.has_failed()) throw InputError({impl_->file}, "cannot be read: " + errors.message());
   return rows;
@@ -265,6 +289,14 @@ std::map<std::string, SampleTotals> LogReader::sample_totals() const {
   return totals;
 }
 
+std::size_t LogReader::row_count(std::string_view layer) const {
+  std::size_t count = 0;
+  impl_->query(
+      fmt::format("SELECT count(*) FROM {}", impl_->spec(layer).name),
+      [&](const OGRFeature& row) { count = static_cast<std::size_t>(row.GetFieldAsInteger64(0)); });
+  return count;
+}
+
 std::size_t LogReader::pair_count() const {
   std::size_t most = 0;
   impl_->query(
@@ -278,6 +310,10 @@ LogReader::NoteCounts LogReader::note_counts(std::size_t kinds_max) const {
   impl_->query("SELECT count(*) FROM notes", [&](const OGRFeature& row) {
     counts.in_all = static_cast<std::size_t>(row.GetFieldAsInteger64(0));
   });
+  bool has_long_name = false;
+  impl_->query("SELECT fid FROM notes WHERE length(name) > 200 LIMIT 1",
+               [&](const OGRFeature&) { has_long_name = true; });
+  if (has_long_name) return counts;
   impl_->query(
       fmt::format("SELECT rover_id, name, count(*) FROM notes GROUP BY rover_id, name LIMIT {}",
                   kinds_max + 1),

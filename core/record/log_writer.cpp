@@ -85,6 +85,7 @@ struct LogWriter::Impl {
   std::map<std::string, std::int64_t> run_fids;
   Clock::time_point last_commit = Clock::now();
   bool in_transaction = false;
+  std::uintmax_t bytes_max = 0;  // of the file; 0: any
 
   // Runs `action`; if it fails, abandons the log after the last commit and throws LogError.
   template <class Action>
@@ -212,6 +213,14 @@ struct LogWriter::Impl {
     last_commit = Clock::now();
   }
 
+  // What was committed stays readable, as on a full disk.
+  void check_size() {
+    const std::string fault = gpkg::size_fault(file, bytes_max);
+    if (fault.empty()) return;
+    abandon();
+    throw LogError(fault);
+  }
+
   template <class Row>
   void append(RowLayer<Row>& layer, const Row& row) {
     attempt("writing", [&] { return layer.append(row, start); });
@@ -320,8 +329,11 @@ void LogWriter::commit_if_due() {
   if (Clock::now() - impl_->last_commit >= commit_period) commit();
 }
 
+void LogWriter::limit_size(std::uintmax_t bytes) { impl_->bytes_max = bytes; }
+
 void LogWriter::commit() {
   impl_->commit();
+  impl_->check_size();
   impl_->begin();
 }
 

@@ -64,7 +64,8 @@ void go_on_from_measured(Simulation& simulation, const MeasuredStates& measured,
     }
     if (changes.empty()) changes.emplace_back("as it was simulated");
     const std::string text = fmt::format("{} goes on {}", id, fmt::join(changes, ", "));
-    simulation.note_interactive(id, "measured", fields.dump());
+    simulation.note_interactive(
+        id, "measured", fields.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
     if (!is_quiet) print_message("{}:{}: {}\n", file, last.line, text);
   }
 }

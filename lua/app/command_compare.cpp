@@ -177,7 +177,10 @@ int verify_command(const VerifyOptions& options) {
         "{}: {}\n", folder,
         fault.empty() ? "log.gpkg is as summary.json says, log_sha256 " + digest.of_log : fault);
   }
-  print_result("{}", options.is_json ? answers.dump(2) + "\n" : text);
+  print_result("{}",
+               options.is_json
+                   ? answers.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n"
+                   : text);
   return are_verified ? 0 : 1;
 }
 

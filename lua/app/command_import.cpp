@@ -16,6 +16,7 @@
 #include "lua/host/mission_reader.h"
 #include "plan/kml_reader.h"
 #include "plan/kml_writer.h"
+#include "product/balloon.h"
 
 namespace lsos {
 
@@ -90,7 +91,7 @@ int import_command(const ImportOptions& options) {
 
   DocumentLook look;
   look.name = std::filesystem::path(options.output).stem().string();
-  look.description = fmt::format("Imported from {}.", fmt::join(options.files, ", "));
+  look.description = html_text(fmt::format("Imported from {}.", fmt::join(options.files, ", ")));
   look.target = target_of(*plan.mission.planet);
   look.has_folders = true;
   look.places = made.places;

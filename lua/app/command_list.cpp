@@ -212,7 +212,8 @@ int list_command(const ListOptions& options) {
       print_result("{}", listed_text(one));
     }
   }
-  if (options.is_json) print_result("{}\n", json.dump(2));
+  if (options.is_json)
+    print_result("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
   if (!options.is_json && options.what == "events") {
     print_result("Every event also has:\n");
     for (const FieldDeclaration& field : common_event_fields())

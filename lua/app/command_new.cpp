@@ -160,7 +160,9 @@ void add_editor_settings(NewFiles& files) {
   if (library.empty() || fs::exists(settings)) return;
   const nlohmann::ordered_json json{{"runtime.version", "Lua 5.4"},
                                     {"workspace.library", {library}}};
-  files.push_back({"editor settings", {settings, json.dump(2) + "\n"}});
+  files.push_back(
+      {"editor settings",
+       {settings, json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n"}});
 }
 
 int new_command(const NewOptions& options) {
@@ -184,7 +186,7 @@ int new_command(const NewOptions& options) {
     names.push_back(file.first);
   }
   if (options.is_json) {
-    print_result("{}\n", wrote.dump());
+    print_result("{}\n", wrote.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
     return 0;
   }
   const std::string& first = files.front().second.first;

@@ -39,7 +39,8 @@ int overlay_command(const OverlayOptions& options) {
   (options.is_packed ? write_packed_overlay : write_overlay)(folder, files.plan);
   const std::string file = folder + (options.is_packed ? "/overlay.kmz" : "/overlay.kml");
   if (options.is_json) {
-    print_result("{}\n", nlohmann::json{{"overlay", file}}.dump());
+    print_result("{}\n", nlohmann::json{{"overlay", file}}.dump(
+                             -1, ' ', false, nlohmann::json::error_handler_t::replace));
   } else {
     print_result("{}\n", file);
   }

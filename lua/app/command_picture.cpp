@@ -80,8 +80,8 @@ int make_film(const PictureOptions& options, const PictureRun& run, const Pictur
     film.add(frame.picture.rgb);
     if (stop_signal != 0) return 128 + stop_signal;
     if (!options.is_quiet && isatty(STDERR_FILENO) != 0) {
-      print_message("\rpicture {} of {}{}", k + 1, run.times.size(),
-                    k + 1 == run.times.size() ? "\n" : "");
+      redraw_message(fmt::format("picture {} of {}", k + 1, run.times.size()));
+      if (k + 1 == run.times.size()) print_message("\n");
     }
   }
   film.finish();

@@ -83,7 +83,8 @@ void print_answer(const ReportOptions& options, const std::string& file,
                   const std::vector<std::string>& left_out) {
   for (const std::string& what : left_out) print_message("warning: {}\n", what);
   if (options.is_json) {
-    print_result("{}\n", nlohmann::json{{options.is_figure ? "figure" : "report", file}}.dump());
+    print_result("{}\n", nlohmann::json{{options.is_figure ? "figure" : "report", file}}.dump(
+                             -1, ' ', false, nlohmann::json::error_handler_t::replace));
   } else {
     print_result("{}\n", file);
   }

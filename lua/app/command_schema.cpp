@@ -147,7 +147,8 @@ int schema_command(const SchemaOptions& options) {
   if (!options.file.empty()) {
     write_file(options.file, write_kml(document));
   } else if (options.is_json) {
-    print_result("{}\n", kinds_json(document).dump(2));
+    print_result(
+        "{}\n", kinds_json(document).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
   } else {
     print_result("{}", write_kml(document));
   }

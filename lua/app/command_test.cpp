@@ -227,7 +227,7 @@ int test_command(const TestOptions& options) {
   if (options.is_json) {
     nlohmann::json list = nlohmann::json::array();
     for (const ScenarioResult& result : results) list.push_back(to_json(result));
-    print_result("{}\n", list.dump(2));
+    print_result("{}\n", list.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
   }
   if (!options.junit_file.empty()) write_file(options.junit_file, junit(results));
   if (results.empty())

@@ -57,7 +57,8 @@ std::string value_text(const std::string& key, const AnswerRow& value) {
     for (const AnswerRow& part : value) text += (text.empty() ? "" : " ") + value_text(key, part);
     return text;
   }
-  if (!value.is_number()) return value.dump();
+  if (!value.is_number())
+    return value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   if (key == "visible") return value == 0 ? "no" : "yes";
   const double number = value.get<double>();
   constexpr double far_m = 1e6, m_per_km = 1000;
@@ -135,7 +136,7 @@ void print_answer(const AnswerRow& rows, AnswerStyle style) {
   if (is_table) {
     print_result("{}", answer_table(rows));
   } else {
-    print_result("{}\n", rows.dump(2));
+    print_result("{}\n", rows.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
   }
 }
 

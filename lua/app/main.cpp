@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <filesystem>
+#include <sstream>
 
 #include "base/console.h"
 #include "base/error.h"
@@ -63,7 +64,11 @@ int run_program(std::vector<std::string> arguments) {
     std::ranges::reverse(arguments);  // the order that CLI11 expects
     app.parse(arguments);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
+    std::ostringstream result, message;
+    const int code = app.exit(error, result, message);
+    lsos::write_result(result.str());
+    lsos::write_message(message.str());
+    return code == 0 ? 0 : 2;
   }
   lsos::restrict_to(access);
   const auto chosen =

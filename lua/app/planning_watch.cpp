@@ -53,11 +53,11 @@ void PlanningWatch::watch() {
     for (auto wait = first_after; !changed_.wait_for(lock, wait, is_other);
          wait = is_terminal ? redraw_every : line_every) {
       const std::chrono::duration<double> so_far = std::chrono::steady_clock::now() - begin;
-      print_message("{}planning {}: {:.0f} s so far{}", is_terminal ? "\r" : "", what_,
-                    so_far.count(), is_terminal ? "\x1b[K" : "\n");
+      const std::string line = fmt::format("planning {}: {:.0f} s so far", what_, so_far.count());
+      is_terminal ? redraw_message(line) : print_message("{}\n", line);
       is_drawn = true;
     }
-    if (is_drawn && is_terminal) print_message("\r\x1b[K");
+    if (is_drawn && is_terminal) redraw_message("");
   }
 }
 

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "base/console.h"
+#include "base/visible_text.h"
 
 namespace lsos {
 
@@ -56,18 +57,18 @@ void Progress::draw(double share, const std::string& state) {
   drawn_ = Clock::now();
   const int full = static_cast<int>(share * bar_width);
   const std::string line = fmt::format("[{:=<{}}{: <{}}] {:3.0f} %  {}", "", full, "",
-                                       bar_width - full, share * 100, state);
+                                       bar_width - full, share * 100, visible_text(state));
   if (!is_terminal_) return print_message("{}\n", line);
   // A line that wraps cannot be drawn over. It is cut before a character, not within one of UTF-8.
   winsize size{};
   const bool is_known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1;
   std::size_t end = std::min(line.size(), is_known ? size.ws_col - 1U : line.size());
   while (end > 0 && end < line.size() && (line[end] & 0xc0) == 0x80) --end;
-  print_message("\r{}\x1b[K", line.substr(0, end));
+  redraw_message(line.substr(0, end));
 }
 
 void Progress::finish() {
-  if (!is_quiet_ && is_terminal_) print_message("\r\x1b[K");
+  if (!is_quiet_ && is_terminal_) redraw_message("");
 }
 
 std::string clock_text(double time_s) {

@@ -16,6 +16,8 @@ void add_outcome_options(CommandOptions& command, OutcomeOptions& options) {
   command.add_flag("--quiet", options.is_quiet, "No progress");
   command.add_flag("--json", options.is_json, "The summary as JSON");
   add_threads(command, options.threads, "Threads that plan for rovers and step them");
+  command.add_option("--log-max", options.log_max_gb,
+                     "GB that the log may take, at which the run ends (50)");
 }
 
 void add_checkpoint_options(CommandOptions& command, CheckpointOptions& options) {

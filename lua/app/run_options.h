@@ -18,6 +18,7 @@ struct OutcomeOptions {
   bool has_report = true;    // report.html
   bool has_estimate = true;  // beside the results in the report
   int threads = 1;
+  double log_max_gb = 50;  // greatest size of log.gpkg
 };
 void add_outcome_options(CommandOptions& command, OutcomeOptions& options);
 

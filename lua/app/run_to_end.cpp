@@ -12,6 +12,7 @@
 #include <string>
 
 #include "base/console.h"
+#include "base/error.h"
 #include "base/files.h"
 #include "lua/app/progress.h"
 #include "lua/check/run_estimate.h"
@@ -121,6 +122,8 @@ int simulate(Simulation& simulation, Checkpoints& checkpoints, bool is_quiet) {
   progress.finish();
   simulation.terminate();
   news.tell(simulation, progress);
+  const std::string left_out = simulation.warnings_left_out();
+  if (!is_quiet && !left_out.empty()) warn(left_out);
   return stopped_by;
 }
 
@@ -158,6 +161,10 @@ void catch_stop_signals() {
 
 SimulationSetup run_setup(const MissionFiles& files, const OutcomeOptions& options,
                           PlanningWatch& watch) {
+  constexpr double greatest_gb = 1e9;
+  if (!(options.log_max_gb > 0 && options.log_max_gb <= greatest_gb)) {
+    throw InputError({}, fmt::format("--log-max {}: more than 0 GB is wanted", options.log_max_gb));
+  }
   SimulationSetup setup = simulation_setup(files);
   setup.threads = options.threads;
   setup.keeps_sight = true;
@@ -170,6 +177,8 @@ SimulationSetup run_setup(const MissionFiles& files, const OutcomeOptions& optio
 
 int run_to_end(MissionUnderWay mission, const OutcomeOptions& options) {
   Simulation& simulation = mission.simulation;
+  constexpr double bytes_per_gb = 1e9;
+  mission.record.log().limit_size(static_cast<std::uintmax_t>(options.log_max_gb * bytes_per_gb));
   const int stopped_by = simulate(simulation, mission.checkpoints, options.is_quiet);
   for (const Fault& fault : cache_legs(mission.files.plan.file, simulation.cached_legs())) {
     if (!options.is_quiet) print_message("{}\n", to_string(fault));

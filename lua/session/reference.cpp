@@ -94,7 +94,9 @@ getmetatable tonumber tostring type xpcall require` and the libraries `math`, `s
   more than 2 KiB, a deep recursion or dozens of metatables. A call that still takes more than {3} s
   of the processor's time, as no ordinary one can, is stopped as well: the one stop that depends on the
   machine. `pcall` catches no spent budget.
-- A call may write 1000 rows into the log's notes, of 1 MiB together; `ev.state` may take 1 MiB.
+- A call may write 1000 rows into the log's notes, of 1 MiB together; `ev.state` may take 1 MiB. Of a
+  run's warnings the first 1000 are listed, the others counted; all are in the notes. Its log takes
+  50 GB at most, or what `--log-max` says.
 - A metatable with `__gc` or `__mode` is refused; set later, neither has an effect.
 - `print` writes a row into the log's notes.
 

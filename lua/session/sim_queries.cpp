@@ -175,6 +175,12 @@ int sim_event(lua_State* L) {
 int sim_notes(lua_State* L) {
   SimSession& session = sim_session(L);
   const std::string name = luaL_optstring(L, 2, "");
+  if (!session.has_all_notes()) {
+    throw std::runtime_error(
+        fmt::format("sim:notes: the mission has written more notes than are kept ({}); its log has "
+                    "all, in the table notes",
+                    session.notes().size()));
+  }
   lua_newtable(L);
   lua_Integer count = 0;
   for (const NoteRow& row : session.notes()) {

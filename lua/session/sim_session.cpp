@@ -107,7 +107,7 @@ std::unique_ptr<Simulation> SimSession::make_simulation(
 
 void SimSession::replace_simulation(std::unique_ptr<Simulation> simulation, bool begins_log) {
   simulation_ = std::move(simulation);
-  simulation_->set_note_listener([this](const NoteRow& row) { notes_.push_back(row); });
+  simulation_->set_note_listener([this](const NoteRow& row) { keep(row); });
   if (!begins_log) return simulation_->set_log(&record_->log());
   record_.reset();
   record_ = std::make_unique<RunRecord>(*folder_, source_.bytes, files_,
@@ -251,6 +251,12 @@ std::vector<std::string> SimSession::take_news() {
   return news;
 }
 
+void SimSession::keep(const NoteRow& note) {
+  if (!has_all_notes()) return;
+  notes_.push_back(note);
+  note_bytes_ += sizeof note + note.name.size() + note.fields_json.size();
+}
+
 std::string SimSession::save() {
   Archive a = Archive::writer();
   std::string plan = files_.plan.hash(), soil = source_.soil;
@@ -283,7 +289,9 @@ void SimSession::load(const std::string& bytes) {
     std::unique_ptr<Simulation> simulation = make_simulation(files, true, dispatched);
     simulation->restore(state);
     dispatched_ = std::move(dispatched);
-    notes_ = std::move(notes);
+    notes_.clear();
+    note_bytes_ = 0;
+    for (const NoteRow& note : notes) keep(note);
     files_ = std::move(files);
     source_.soil = soil;
     replace_simulation(std::move(simulation), true);

@@ -39,7 +39,9 @@ class SimSession {
   Simulation& simulation() { return *simulation_; }
   const MissionFiles& files() const { return files_; }
   const std::string& folder() const { return folder_->path(); }
+  // The notes so far; of 64 MiB and more the first.
   const std::vector<NoteRow>& notes() const { return notes_; }
+  bool has_all_notes() const { return note_bytes_ < note_bytes_max; }
   // Failures and warnings since the last call, one text each.
   std::vector<std::string> take_news();
   SimTime now() const { return simulation_->now(); }
@@ -105,7 +107,11 @@ class SimSession {
   std::set<std::int64_t> dispatched_to(const std::string& rover_id) const;
 
   std::vector<SourcePlacemark> dispatched_;
+  void keep(const NoteRow& note);
+
+  static constexpr std::size_t note_bytes_max = std::size_t{64} << 20;
   std::vector<NoteRow> notes_;
+  std::size_t note_bytes_ = 0;
   std::set<std::string> reported_;  // reported failed events, by rover and sequence
   std::size_t reported_warnings_ = 0;
 };

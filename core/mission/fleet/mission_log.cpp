@@ -44,17 +44,24 @@ void MissionLog::write_changes(Fleet& fleet, SimTime now) {
   for (FleetRover& rover : fleet.rovers) write_changes(rover, now);
 }
 
-// Notes, events, phases and planned paths since the last exchange; taken also when there is no log.
-void MissionLog::write_changes(FleetRover& rover, SimTime now) {
-  RoverAgent& agent = *rover.agent;
-  const std::vector<RoverJournal::Note> notes = agent.journal().take_notes();
-  const std::vector<std::size_t> events = rover.sequence.records().take_changed();
-  const std::vector<PhaseRow> phases = rover.sequence.take_phases();
-  const std::vector<PlannedPathRow> paths = agent.routes().take_rows();
-  for (const RoverJournal::Note& note : notes) {
+void MissionLog::write_notes(Fleet& fleet, SimTime now) {
+  for (FleetRover& rover : fleet.rovers) write_notes(*rover.agent, now);
+}
+
+void MissionLog::write_notes(RoverAgent& agent, SimTime now) {
+  for (const RoverJournal::Note& note : agent.journal().take_notes()) {
     write(NoteRow{now, agent.id(), note.sequence, note.name, note.fields_json,
                   agent.motion().place()});
   }
+}
+
+// Notes, events, phases and planned paths since the last exchange; taken also when there is no log.
+void MissionLog::write_changes(FleetRover& rover, SimTime now) {
+  RoverAgent& agent = *rover.agent;
+  const std::vector<std::size_t> events = rover.sequence.records().take_changed();
+  const std::vector<PhaseRow> phases = rover.sequence.take_phases();
+  const std::vector<PlannedPathRow> paths = agent.routes().take_rows();
+  write_notes(agent, now);
   if (writer_ == nullptr) return;
   for (const std::size_t event : events) writer_->write(rover.sequence.row(event));
   for (const PhaseRow& phase : phases) writer_->write(phase);

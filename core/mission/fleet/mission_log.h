@@ -29,6 +29,8 @@ class MissionLog {
   // Writes the rows of an exchange; `sight` may be nullptr.
   void write(Fleet& fleet, const FleetSight* sight, const Moment& moment);
   void write(const NoteRow& note);
+  // Notes since they were last written.
+  void write_notes(Fleet& fleet, SimTime now);
   // Notes, events, phases and planned legs since they were last written.
   void write_changes(Fleet& fleet, SimTime now);
   void write(const std::vector<SightIntervalRow>& intervals);
@@ -42,6 +44,7 @@ class MissionLog {
  private:
   bool is_due(const FleetRover& rover, SimTime now) const;
   SimTime interval(const FleetRover& rover) const;
+  void write_notes(RoverAgent& agent, SimTime now);
   void write_changes(FleetRover& rover, SimTime now);
   void write_sample(Fleet& fleet, const FleetSight* sight, const Moment& moment,
                     std::size_t number);

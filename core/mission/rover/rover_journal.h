@@ -1,6 +1,7 @@
 // What a rover has to tell since it was last read: notes for the log, and warnings for the user.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -24,11 +25,17 @@ class RoverJournal {
   // `fields_json`: a JSON object with sorted keys.
   void note(const std::string& name, const std::string& fields_json) {
     notes_.push_back({sequence_, name, fields_json});
+    note_bytes_ += sizeof(Note) + name.size() + fields_json.size();
   }
   void warn(const std::string& text) { warnings_.push_back(text); }
 
   // Notes and warnings since the last call.
-  std::vector<Note> take_notes() { return std::exchange(notes_, {}); }
+  std::vector<Note> take_notes() {
+    note_bytes_ = 0;
+    return std::exchange(notes_, {});
+  }
+  // What the notes since then take.
+  std::size_t note_bytes() const { return note_bytes_; }
   std::vector<std::string> take_warnings() { return std::exchange(warnings_, {}); }
 
  private:
@@ -36,6 +43,7 @@ class RoverJournal {
   std::int64_t sequence_ = 0;  // saved by the rover
   // Not saved: read before each exchange ends.
   std::vector<Note> notes_;
+  std::size_t note_bytes_ = 0;
   std::vector<std::string> warnings_;
 };
 

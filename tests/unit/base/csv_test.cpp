@@ -68,5 +68,33 @@ TEST(Csv, is_text_in_utf_8) {
   EXPECT_THAT(parse_csv("\n\n").rows, IsEmpty());
 }
 
+TEST(CsvCell, is_quoted_where_it_must_be) {
+  EXPECT_EQ(csv_cell("To the ridge"), "To the ridge");
+  EXPECT_EQ(csv_cell("A, \"B\""), "\"A, \"\"B\"\"\"");
+  EXPECT_EQ(csv_cell("two\nlines"), "\"two\nlines\"");
+}
+
+TEST(CsvCell, is_no_formula) {
+  EXPECT_EQ(csv_cell("=1+1"), "'=1+1");
+  EXPECT_EQ(csv_cell("@SUM(A1)"), "'@SUM(A1)");
+  EXPECT_EQ(csv_cell("+cmd|' /C calc'!A0"), "'+cmd|' /C calc'!A0");
+  EXPECT_EQ(csv_cell("-2+3+cmd|' /C calc'!A0"), "'-2+3+cmd|' /C calc'!A0");
+  EXPECT_EQ(csv_cell("=HYPERLINK(\"http://x\")"), "\"'=HYPERLINK(\"\"http://x\"\")\"");
+}
+
+TEST(CsvCell, has_numbers_as_they_are) {
+  for (const char* text : {"-5", "+10 km/h", "-.5e-3", "-31.5,20.1; -31.4,20.2", "-5 °C", "5"}) {
+    EXPECT_EQ(guarded_text(text), text);
+  }
+}
+
+TEST(CsvCell, comes_back_as_it_was) {
+  for (const char* text : {"", "'", "''", "=", "'=1", "''=1", "-", "-x", "'-x", "'quoted'", "'-5",
+                           "@a", "'@a", "don't", "=1\n=2"}) {
+    EXPECT_EQ(unguarded_text(guarded_text(text)), text);
+  }
+  EXPECT_EQ(unguarded_text("'tis"), "'tis");
+}
+
 }  // namespace
 }  // namespace lsos

@@ -86,5 +86,19 @@ TEST(LimitOfEach, fills_up_with_what_small_kinds_leave) {
   EXPECT_EQ(limit_of_each({9, 9, 9}, 2), 0u);
 }
 
+TEST(ThinnedNotes, have_the_beginning_of_a_long_name) {
+  const TestFolder folder;
+  LogWriter log(folder / "log.gpkg", moon_crs, test_start());
+  log.write(note(0, "a" + std::string(100'000, 'b')));
+  log.write(note(1, std::string(199, 'c') + "\u00e4\u00e4"));
+  log.write(note(2, "short"));
+  log.finish();
+  const ThinnedNotes notes = thinned_notes(LogReader(folder / "log.gpkg"));
+  ASSERT_EQ(notes.rows.size(), 3u);
+  EXPECT_EQ(notes.rows[0].name, "a" + std::string(199, 'b') + "...");
+  EXPECT_EQ(notes.rows[1].name, std::string(199, 'c') + "...");
+  EXPECT_EQ(notes.rows[2].name, "short");
+}
+
 }  // namespace
 }  // namespace lsos

@@ -1,6 +1,7 @@
 // Checkpoints in a log, and logs that go on from one.
 #include <gmock/gmock.h>
 
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 
@@ -44,6 +45,28 @@ TEST(Checkpoint, is_read_as_it_was_written) {
   EXPECT_EQ(stored.wall_s, 3.5);
   EXPECT_EQ(stored.state, checkpoint(7).state);
   EXPECT_EQ(reader.samples().size(), 3u) << "the rows up to it are committed with it";
+}
+
+TEST(Checkpoint, may_have_a_large_state) {
+  const TestFolder folder;
+  const std::string file = folder / "log.gpkg";
+  LogWriter log(file, moon_crs, test_start());
+  const auto large = [](int second) {
+    Checkpoint of = checkpoint(second);
+    of.state.append(std::size_t{5'000'000} + second, static_cast<char>('a' + second));
+    return of;
+  };
+  for (int second = 1; second <= 5; ++second) log.write(large(second));
+  log.write(checkpoint(6));
+  const LogReader reader(file);
+  const std::vector<CheckpointEntry> entries = reader.checkpoints();
+  ASSERT_THAT(seconds_of(entries), ::testing::ElementsAre(4, 5, 6));
+  EXPECT_EQ(reader.checkpoint(entries[0].id).state, large(4).state);
+  EXPECT_EQ(reader.checkpoint(entries[1].id).state, large(5).state);
+  EXPECT_EQ(reader.checkpoint(entries[2].id).state, checkpoint(6).state);
+  log.finish();
+  EXPECT_LT(std::filesystem::file_size(file), 22'000'000u);
+  EXPECT_THAT(LogReader(file).checkpoints(), ::testing::IsEmpty());
 }
 
 TEST(Checkpoint, may_have_events_that_a_branch_does_not_keep) {

@@ -306,5 +306,48 @@ TEST(LogDigest, differs_when_anything_does) {
   }
 }
 
+TEST(Log, ends_at_its_greatest_size_and_stays_readable) {
+  const TestFolder folder;
+  LogWriter log(folder / "log.gpkg", moon_crs, test_start());
+  log.limit_size(1'000'000);
+  std::size_t written = 0;
+  const auto write_on = [&] {
+    for (; written < 100'000; ++written) {
+      log.write(NoteRow{SimTime{}, "SEV1", 3, "note", std::string(100, 'x'), {}});
+      if (written % 1000 == 999) log.commit();
+    }
+  };
+  try {
+    write_on();
+    FAIL() << "no end";
+  } catch (const LogError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("log.gpkg: takes 0.00"));
+    EXPECT_THAT(error.what(), HasSubstr("where 0.001 GB are allowed; --log-max allows more"));
+  }
+  EXPECT_GT(written, 1000u);
+  EXPECT_EQ(LogReader(folder / "log.gpkg").row_count("notes"), written + 1);
+}
+
+TEST(Log, is_read_in_pieces_that_fit_into_memory) {
+  const TestFolder folder;
+  LogWriter log(folder / "log.gpkg", moon_crs, test_start());
+  for (int k = 0; k < 40; ++k) {
+    log.write(NoteRow{SimTime{}, "SEV1", k, "note", std::string(std::size_t{1} << 20, 'x'), {}});
+  }
+  log.finish();
+  const LogReader reader(folder / "log.gpkg");
+  std::int64_t fid = 0;
+  std::size_t rows = 0, pieces = 0;
+  for (;; ++pieces) {
+    const std::vector<LogRow> piece = reader.rows_after("notes", fid, 4096);
+    if (piece.empty()) break;
+    EXPECT_LE(piece.size(), 17u);
+    rows += piece.size();
+    fid = piece.back().fid;
+  }
+  EXPECT_EQ(rows, 40u);
+  EXPECT_EQ(pieces, 3u);
+}
+
 }  // namespace
 }  // namespace lsos

@@ -1,0 +1,28 @@
+// Text of plans, files and scripts as a terminal may show it.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace lsos {
+
+// Length of the well-formed UTF-8 character at the start of `text`, which is not empty; 0: the
+// first byte begins none.
+std::size_t utf8_length(std::string_view text);
+
+// The text with what a terminal would obey, or show as nothing, written out: control characters
+// but line feeds and tabs, marks that change the direction of writing, and characters without
+// width. Each becomes \uXXXX, which in a JSON string is the same character: JSON stays the same
+// document. A byte that is no UTF-8 becomes \xXX.
+std::string visible_text(std::string_view text);
+
+// The text with each character that XML 1.0 does not allow, and each byte that is no UTF-8, as
+// U+FFFD. Markup is not escaped.
+std::string xml_text(std::string_view text);
+
+// The text in one line: line ends and other control characters of ASCII as blanks.
+std::string one_line(std::string_view text);
+bool has_control_characters(std::string_view text);
+
+}  // namespace lsos
