@@ -94,6 +94,7 @@ enum class EventStatus {
   incomplete,
   disabled
 };
+constexpr EventStatus last_value(EventStatus) { return EventStatus::disabled; }
 const char* to_string(EventStatus status);
 
 // Layer `events`: (rover_id, sequence) is its key; writing it again updates the row.
