@@ -62,6 +62,7 @@ const std::vector<Library>& libraries() {
       {std::regex("(Bullet|LinearMath|bt)[^.]*\\.h"), {"vehicle"}},
       {std::regex("(gdal|ogr|cpl_)[^/]*\\.h"),
        {"access", "terrain", "record", "plan", "interchange"}},
+      {std::regex("sqlite3\\.h"), {"record"}},  // logs, cell by cell
       {std::regex("erfa[a-z]*\\.h"), {"planet"}},
       {std::regex("tinyxml2\\.h"), {"plan", "interchange"}},
       {std::regex("libxml/.*"), {"edit"}},  // changes in place
