@@ -55,7 +55,20 @@ Database::Database(const std::string& file) : file_(file) {
   throw InputError({file_}, fmt::format("no log of lsos-host: {}", why));
 }
 
-Database::~Database() { sqlite3_close(handle_); }
+Database::~Database() {
+  sqlite3_close(handle_);
+  // One who may only read leaves a journal behind, though there is nothing in it. One who may write
+  // takes it away.
+  std::error_code missing;
+  if (std::filesystem::file_size(file_ + "-wal", missing) != 0 || missing) return;
+  sqlite3* writer = nullptr;
+  if (sqlite3_open_v2(absolute(file_).c_str(), &writer, SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOMUTEX,
+                      nullptr) == SQLITE_OK) {
+    harden(writer);
+    sqlite3_exec(writer, "SELECT count(*) FROM sqlite_master", nullptr, nullptr, nullptr);
+  }
+  sqlite3_close(writer);
+}
 
 bool Database::open(const std::string& name, int flags) {
   if (sqlite3_open_v2(name.c_str(), &handle_, flags, nullptr) != SQLITE_OK) return false;
