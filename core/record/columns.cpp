@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "base/units.h"
+#include "record/json_text.h"
 #include "record/quantity_table.h"
 
 namespace lsos {
@@ -329,7 +330,7 @@ std::span<const Column<NoteRow>> columns<NoteRow>() {
       limited(text<&R::rover_id>("rover_id"), required),
       limited(integer<&R::sequence>("sequence"), required),
       text<&R::name>("name"),
-      text<&R::fields_json>("fields"),
+      limited(text<&R::fields_json>("fields"), {.is_json = true}),
   };
   return table;
 }
@@ -357,6 +358,8 @@ bool OrderRow::orders_same(const OrderRow& other) const {
     return column.name == "time_s" || column.value(*this, {}) == column.value(other, {});
   });
 }
+
+bool NoteRow::is_sound() const { return fields_json.empty() || is_json_object(fields_json); }
 
 template <>
 std::span<const Column<RunRow>> columns<RunRow>() {

@@ -28,6 +28,7 @@ struct ColumnLimits {
   double least = -1e20, greatest = 1e20;      // of numbers
   bool is_required = false;                   // never NULL
   std::span<const std::string_view> words{};  // the texts that are allowed; empty: all
+  bool is_json = false;                       // a text, an object in JSON
 };
 
 // One column of the rows of type Row.

@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/utf8.h"
+#include "record/json_text.h"
 
 namespace lsos {
 
@@ -162,6 +163,10 @@ ColumnValue LayerRows::value(std::size_t number) const {
   }
   if (column.type == ColumnType::utc && !has_form(text, "0000-00-00T00:00:00.000Z")) {
     refuse(column.name, fmt::format("= '{}': {} is allowed", shown(text), words_for(column.type)));
+  }
+  if (column.limits.is_json && !is_json_object(text)) {
+    refuse(column.name, fmt::format("= '{}': an object in JSON is allowed, nested at most 64 deep",
+                                    shown(text)));
   }
   const auto& words = column.limits.words;
   if (!words.empty() && std::ranges::find(words, text) == words.end()) {

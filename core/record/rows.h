@@ -163,6 +163,7 @@ struct NoteRow {
     LSOS_ARCHIVE(a, time, rover_id, sequence, name, fields_json, place.lon_rad, place.lat_rad,
                  place.height_m);
   }
+  bool is_sound() const;  // its fields are an object
 };
 
 }  // namespace lsos

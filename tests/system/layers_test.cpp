@@ -76,7 +76,7 @@ const std::vector<Library>& libraries() {
       {std::regex("CLI/.*"), {"lua"}},
       {std::regex("(editline/.*|histedit\\.h)"), {"lua"}},
       {std::regex("gnu/libc-version\\.h"), {"route"}},  // version of the C library
-      {std::regex("nlohmann/.*"), {"interchange", "picture", "product", "lua"}},
+      {std::regex("nlohmann/.*"), {"interchange", "picture", "product", "record", "lua"}},
       {std::regex("openssl/.*"), {"base"}},
   };
   return table;
