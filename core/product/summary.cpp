@@ -59,7 +59,7 @@ bool is_unfinished(const EventRow& event) {
 // Of a summary that may come from anyone: a number that text and time can be made of, or another
 // value without parts.
 bool is_scalar(const Json& value) {
-  constexpr double number_max = 1e12;
+  constexpr double number_max = 9e12;  // as from_seconds() takes it
   if (value.is_number()) return std::abs(value.get<double>()) <= number_max;
   return value.is_primitive();
 }
