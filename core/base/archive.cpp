@@ -53,6 +53,17 @@ Archive& Archive::operator()(bool& value) {
   return *this;
 }
 
+Archive& Archive::operator()(SimTime& value) {
+  constexpr std::int64_t least_us = -1'000'000'000'000, greatest_us = 10'000'000'000'000'000;
+  std::int64_t count = value.count();
+  (*this)(count);
+  if (reading_ && (count < least_us || count > greatest_us)) {
+    refuse("saved state holds a time that no mission has");
+  }
+  value = SimTime{count};
+  return *this;
+}
+
 std::size_t Archive::size(std::size_t size) {
   auto count = static_cast<std::uint64_t>(size);
   (*this)(count);

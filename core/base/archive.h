@@ -2,6 +2,10 @@
 // `void archive(Archive& a) { LSOS_ARCHIVE(a, x_m, count, name); }`, and that one function both
 // writes and reads, which keeps the two directions in step. The names are not saved; they say where
 // a saved state that does not fit differs: "rovers[0].vehicle_.wheels_[2].slip".
+//
+// Saved states are data that anybody may have written. A type that relies on more than the types of
+// its members (an index, a size, a number that is finite) says so in `bool is_sound() const`, which
+// is asked whenever one has been read.
 #pragma once
 
 #include <algorithm>
@@ -61,6 +65,9 @@ class Archive {
     Archive& archive_;
   };
 
+  // Throws Mismatch, which names the part that is archived now.
+  [[noreturn]] void refuse(const std::string& why) const;
+
   // Called by LSOS_ARCHIVE. `names`: one for each value, separated by commas.
   template <class... T>
   Archive& fields(std::string_view names, T&... values) {
@@ -69,17 +76,25 @@ class Archive {
   }
 
   template <class T>
-  requires(std::is_arithmetic_v<T> || std::is_enum_v<T>) Archive& operator()(T& value) {
+  requires std::is_arithmetic_v<T> Archive& operator()(T& value) {
     raw(&value, sizeof value);
     return *this;
   }
-  Archive& operator()(bool& value);
-  Archive& operator()(SimTime& value) {
-    std::int64_t count = value.count();
-    (*this)(count);
-    value = SimTime{count};
+  // An enumeration whose values count up from 0; `last_value(T)`, beside it, says which is the
+  // last.
+  template <class T>
+  requires std::is_enum_v<T> Archive& operator()(T& value) {
+    using Number = std::underlying_type_t<T>;
+    auto number = static_cast<Number>(value);
+    raw(&number, sizeof number);
+    const auto last = static_cast<Number>(last_value(T{}));
+    if (std::cmp_less(number, 0) || number > last) refuse("saved state holds an unknown choice");
+    value = static_cast<T>(number);
     return *this;
   }
+  Archive& operator()(bool& value);
+  // A time of a mission: sums of it with others, and calendar times, stay within what is counted.
+  Archive& operator()(SimTime& value);
   Archive& operator()(std::string& value);
   Archive& operator()(Vec3& value) { return (*this)(value.x())(value.y())(value.z()); }
   Archive& operator()(Vec2& value) { return (*this)(value.x())(value.y()); }
@@ -87,9 +102,12 @@ class Archive {
 
   template <class T>
   Archive& operator()(std::vector<T>& values) {
-    values.resize(size(values.size()));
-    for (std::size_t i = 0; i < values.size(); ++i) {
+    const std::size_t count = size(values.size());
+    // Memory is taken as elements are read: a count may be damage.
+    if (count < values.size()) values.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
       const Part element(*this, {}, i);
+      if (i == values.size()) values.emplace_back();
       (*this)(values[i]);
     }
     return *this;
@@ -128,6 +146,9 @@ class Archive {
   requires requires(T& value, Archive& a) { value.archive(a); }
   Archive& operator()(T& value) {
     value.archive(*this);
+    if constexpr (requires { value.is_sound(); }) {
+      if (reading_ && !value.is_sound()) refuse("saved state holds values that no mission has");
+    }
     return *this;
   }
 
@@ -146,7 +167,6 @@ class Archive {
   }
   // Removes the first name from a list of names.
   static std::string_view take_name(std::string_view& names);
-  [[noreturn]] void refuse(const std::string& why) const;
   std::string path() const;
   void raw(void* data, std::size_t size);
   // Writes the size, or reads one and throws Mismatch if it cannot fit into the bytes left.

@@ -69,4 +69,12 @@ DrivenTrack::Entry DrivenTrack::nearest(const Vec2& p_S_m) const {
   return nearest;
 }
 
+bool DrivenTrack::is_sound() const {
+  const auto is_place = [](const Vec2& p_S_m) { return p_S_m.allFinite(); };
+  return lengths_m_.size() == corners_.size() && (!corners_.empty() || passed_.empty()) &&
+         std::ranges::is_sorted(lengths_m_) && std::ranges::all_of(corners_, is_place) &&
+         std::ranges::all_of(passed_, is_place) && is_place(here_S_m_) &&
+         forgotten_ < (std::size_t{1} << 40);
+}
+
 }  // namespace lsos

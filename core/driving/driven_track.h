@@ -41,6 +41,7 @@ class DrivenTrack {
   void archive(Archive& a) {
     LSOS_ARCHIVE(a, corners_, lengths_m_, passed_, here_S_m_, forgotten_);
   }
+  bool is_sound() const;
 
  private:
   void thin();

@@ -31,8 +31,8 @@ SourceGeometry place_of(const Json& station) {
   const auto geometry = station.find("geometry");
   if (geometry == station.end() || !geometry->is_object()) return place;
   const auto at = geometry->find("coordinates");
-  if (text_of(*geometry, "type") != "Point" || at == geometry->end() || at->size() < 2 ||
-      !(*at)[0].is_number() || !(*at)[1].is_number()) {
+  if (text_of(*geometry, "type") != "Point" || at == geometry->end() || !at->is_array() ||
+      at->size() < 2 || !(*at)[0].is_number() || !(*at)[1].is_number()) {
     return place;
   }
   place.kind = "Point";

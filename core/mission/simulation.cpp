@@ -324,6 +324,9 @@ void Simulation::archive(Archive& a) {
   for (StandingAsset& asset : fleet_.assets) {
     const Archive::Part part(a, asset.plan.id);
     LSOS_ARCHIVE(a, asset.sun);
+    if (asset.sun && asset.sun->panels.size() != asset.model.panels.size()) {
+      a.refuse("saved state is of other panels");
+    }
   }
   if (sunlight_) LSOS_ARCHIVE(a, *sunlight_);
   if (sight_) LSOS_ARCHIVE(a, *sight_);
@@ -340,16 +343,47 @@ std::string Simulation::save() {
   return a.bytes();
 }
 
-void Simulation::restore(const std::string& bytes) {
+void Simulation::take_up(const std::string& bytes) {
   Archive a = Archive::reader(bytes);
   archive(a);
   if (!a.is_exhausted()) throw Archive::Mismatch("saved state is longer than the program expects");
 }
 
+bool Simulation::has_sound_convoys() const {
+  return std::ranges::all_of(fleet_.rovers, [&](const FleetRover& rover) {
+    const std::string id = rover.agent->drive().leader_id();
+    const FleetRover* leader = fleet_.find(id);
+    return id.empty() || (leader != nullptr && leader->agent->track() &&
+                          leader->agent->track()->corner_count() > 0);
+  });
+}
+
+void Simulation::restore(const std::string& bytes) {
+  std::string again;
+  try {
+    take_up(bytes);
+    again = save();
+  } catch (const Archive::Mismatch&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw Archive::Mismatch(fmt::format("saved state cannot be taken up: {}", error.what()));
+  }
+  const auto refuse = [](const std::string& what) {
+    throw Archive::Mismatch("saved state " + what);
+  };
+  if (again != bytes) {
+    refuse(fmt::format("holds what is not saved so, in {}",
+                       first_difference(bytes, again, [&](Archive& a) { archive(a); })));
+  }
+  if (!has_sound_convoys()) refuse("holds a rover that follows nobody");
+  const bool is_time = now_ >= SimTime{} && now_ % exchange_period == SimTime{};
+  if (!is_time || (!is_finished_ && next_time() <= now_)) refuse("is of no moment of the mission");
+}
+
 void Simulation::save_and_restore() {
   const std::string state = save();
   build();
-  restore(state);
+  take_up(state);
   const std::string again = save();
   if (again == state) return;
   throw InternalError(fmt::format("state differs after it was written out and read back, in {}",

@@ -111,7 +111,9 @@ class Simulation : private Surroundings {
   // Events that have begun or ended.
   EventReferences begun_events() const;
 
-  // Serialises all state, and restores it into a simulation of the same setup.
+  // Serialises all state, and restores it into a simulation of the same setup. What is restored may
+  // come from anyone: throws Archive::Mismatch for what no such simulation saves, after which the
+  // simulation is of no use.
   std::string save();
   void restore(const std::string& bytes);
 
@@ -132,6 +134,9 @@ class Simulation : private Surroundings {
   std::optional<SimTime> quiet_wake(const FleetRover& rover) const;
   SimTime next_time() const;
   void archive(Archive& a);
+  void take_up(const std::string& bytes);
+  // Whether rovers follow others whose tracks are known.
+  bool has_sound_convoys() const;
   // Writes out all state, throws it away and reads it back.
   void save_and_restore();
 

@@ -16,6 +16,7 @@ enum class SteerMode {
   point,  // keeps angles relative to the ground: from true north, above the horizon
   track,  // follows the Sun
 };
+constexpr SteerMode last_value(SteerMode) { return SteerMode::track; }
 // "fixed", "point", "track".
 const char* to_string(SteerMode mode);
 std::optional<SteerMode> steer_mode(std::string_view name);
@@ -89,6 +90,7 @@ class PanelArray {
     a.tag("panels");
     LSOS_ARCHIVE(a, states_, around_);
   }
+  bool is_sound() const { return states_.size() == specs_.size(); }
 
  private:
   struct State {

@@ -11,6 +11,7 @@
 #include "product/column_json.h"
 #include "product/event_kinds.h"
 #include "record/columns.h"
+#include "record/json_text.h"
 
 namespace lsos {
 
@@ -93,6 +94,11 @@ Json rovers(const ReportData& data, const ReportExtras& extras) {
   return array;
 }
 
+// The object that a file of the run holds; null where it holds something else.
+Json object_in(const std::string& text) {
+  return is_json_object(text) ? Json::parse(text, nullptr, false) : Json();
+}
+
 // All columns of each row, and its position on the map.
 template <class Row>
 Json placed_rows(const std::vector<Row>& rows, const SiteFrame& site) {
@@ -116,7 +122,9 @@ Json placed_rows(const std::vector<Row>& rows, const SiteFrame& site) {
 Json notes(const ReportData& data, const SiteFrame& site) {
   Json array = placed_rows(data.notes.rows, site);
   for (Json& note : array) {
-    note["fields"] = Json::parse(note["fields"].get<std::string>(), nullptr, false);
+    const Json fields = note["fields"];
+    note["fields"] = fields.is_string() ? Json::parse(fields.get<std::string>(), nullptr, false)
+                                        : Json::object();
   }
   return array;
 }
@@ -257,11 +265,9 @@ nlohmann::ordered_json packed_series(const ThinnedRows& rows, std::size_t column
 nlohmann::ordered_json report_document(const ReportData& data, const Plan& plan,
                                        const SiteFrame& site, const std::string& summary,
                                        const ReportExtras& extras) {
-  Json parsed = Json::parse(summary, nullptr, false);
-  if (!parsed.is_object()) parsed = nullptr;
+  Json parsed = object_in(summary);
   if (parsed.is_object()) parsed.erase("events");  // the page takes them from the log
-  Json estimate = Json::parse(extras.estimate, nullptr, false);
-  if (!estimate.is_object()) estimate = nullptr;
+  Json estimate = object_in(extras.estimate);
   return {
       {"plan", plan.file},
       {"body", std::string(plan.mission.planet->name)},

@@ -41,7 +41,8 @@ std::optional<Breakage> breakage_of(const NoteRow& note) {
   if (const auto share = fields.find("share"); share != fields.end() && share->is_number()) {
     breakage.share = share->get<double>();
   }
-  breakage.is_repair = fields.value("repair", false);
+  const auto repair = fields.find("repair");
+  breakage.is_repair = repair != fields.end() && repair->is_boolean() && repair->get<bool>();
   return breakage;
 }
 

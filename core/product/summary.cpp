@@ -1,12 +1,14 @@
 #include "product/summary.h"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
 #include "base/files.h"
 #include "product/column_json.h"
 #include "record/columns.h"
+#include "record/json_text.h"
 
 namespace lsos {
 
@@ -52,6 +54,30 @@ Json json_of(const RoverDay& day) {
 bool is_unfinished(const EventRow& event) {
   return event.status == EventStatus::incomplete || event.status == EventStatus::waiting ||
          event.status == EventStatus::running;
+}
+
+// Of a summary that may come from anyone: a number that text and time can be made of, or another
+// value without parts.
+bool is_scalar(const Json& value) {
+  constexpr double number_max = 9e12;  // as from_seconds() takes it
+  if (value.is_number()) return std::abs(value.get<double>()) <= number_max;
+  return value.is_primitive();
+}
+
+bool is_rover(const Json& rover) {
+  return rover.is_object() && std::ranges::all_of(rover, [](const Json& value) {
+           return is_scalar(value) ||
+                  (value.is_object() && std::ranges::all_of(value, is_scalar));  // resources
+         });
+}
+
+bool is_event(const Json& event) {
+  if (!event.is_object() || !std::ranges::all_of(event, is_scalar)) return false;
+  const auto is = [&](const char* key, auto type) {
+    return event.contains(key) && (event[key].*type)();
+  };
+  return is("rover_id", &Json::is_string) && is("sequence", &Json::is_number_integer) &&
+         is("label", &Json::is_string);
 }
 
 bool has_failed(const EventRow& event) { return event.status == EventStatus::failed; }
@@ -117,12 +143,25 @@ void write_summary(const std::string& run_dir, const RunSummary& summary) {
 }
 
 bool is_summary(std::string_view json) {
+  if (!is_json_object(json)) return false;
   const Json document = Json::parse(json, nullptr, false);
-  if (!document.is_object()) return false;
-  const auto name = document.find("program");
-  const auto digest = document.find("log_sha256");
-  return name != document.end() && *name == program && digest != document.end() &&
-         digest->is_string();
+  const auto has = [&](const char* key, auto is_it) {
+    const auto found = document.find(key);
+    return found != document.end() && is_it(*found);
+  };
+  const auto is_text = [](const Json& value) { return value.is_string(); };
+  const auto is_list_of = [](const Json& list, auto is_it) {
+    return list.is_array() && std::ranges::all_of(list, is_it);
+  };
+  const auto are_texts = [&](const Json& list) { return is_list_of(list, is_text); };
+  return has("program", [](const Json& name) { return name == program; }) &&
+         has("log_sha256", is_text) && has("status", is_text) && has("plan", is_text) &&
+         has("sim_s", is_scalar) && has("warnings", are_texts) && has("assumptions", are_texts) &&
+         has("rovers",
+             [](const Json& rovers) {
+               return rovers.is_object() && std::ranges::all_of(rovers, is_rover);
+             }) &&
+         has("events", [&](const Json& events) { return is_list_of(events, is_event); });
 }
 
 }  // namespace lsos

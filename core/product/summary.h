@@ -65,7 +65,8 @@ std::string to_text(const RunSummary& summary);
 // Products made from the log come after it.
 void write_summary(const std::string& run_dir, const RunSummary& summary);
 
-// Whether the text is a summary of a finished run, written by this program.
+// Whether the text is a summary of a finished run, with the parts that this program writes, each of
+// its type: what says so may be read without further checks.
 bool is_summary(std::string_view json);
 
 }  // namespace lsos

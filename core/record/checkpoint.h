@@ -15,6 +15,7 @@ enum class CheckpointKind {
   kept,    // stays in the log of a finished run
   stop,    // where a signal stopped the run
 };
+constexpr CheckpointKind last_value(CheckpointKind) { return CheckpointKind::stop; }
 
 struct Checkpoint {
   SimTime time{};

@@ -2,8 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "base/archive.h"
+#include "base/error.h"
 #include "base/sha256.h"
+#include "base/utf8.h"
+#include "record/columns.h"
+#include "record/log_cells.h"
 
 namespace lsos::gpkg {
 
@@ -16,7 +23,7 @@ constexpr const char* parts_table = "lsos_checkpoint_parts";
 
 const char* const kinds[] = {"recent", "kept", "stop"};
 
-std::optional<CheckpointKind> kind_of(const std::string& text) {
+std::optional<CheckpointKind> kind_of(std::string_view text) {
   for (int k = 0; k < 3; ++k) {
     if (text == kinds[k]) return static_cast<CheckpointKind>(k);
   }
@@ -47,19 +54,32 @@ std::string hex(std::string_view bytes) {
   return text;
 }
 
-bool has_table(GDALDataset& dataset, const char* name = "lsos_checkpoints") {
-  bool is_there = false;
+bool holds_table(GDALDataset& dataset, const char* name) {
+  bool is_any = false;
   run_sql(dataset,
           fmt::format("SELECT 1 FROM sqlite_master WHERE type = 'table' AND name = '{}'", name),
-          [&](const OGRFeature&) { is_there = true; });
-  return is_there;
+          [&](const OGRFeature&) { is_any = true; });
+  return is_any;
 }
 
-void append_content(const OGRFeature& row, int field, std::string& bytes) {
-  int size = 0;
-  const GByte* content = row.GetFieldAsBinary(field, &size);
-  if (content == nullptr) return;
-  bytes.append(reinterpret_cast<const char*>(content), static_cast<std::size_t>(size));
+bool has_checkpoints(GDALDataset& dataset, const char* which = "") {
+  if (!holds_table(dataset, "lsos_checkpoints")) return false;
+  if (*which == '\0') return true;
+  bool is_any = false;
+  run_sql(dataset, fmt::format("SELECT 1 FROM lsos_checkpoints {} LIMIT 1", which),
+          [&](const OGRFeature&) { is_any = true; });
+  return is_any;
+}
+
+// A moment of a mission, counted in microseconds.
+bool is_time(std::int64_t time_us) {
+  return time_us >= 0 && seconds(SimTime{time_us}) <= time_max_s;
+}
+
+[[noreturn]] void refuse(const sqlite::Database& database, const char* table, std::int64_t id) {
+  throw InputError(
+      {database.file()},
+      fmt::format("table '{}', id {}: holds what lsos-host does not write", table, id));
 }
 
 // The bytes of the last checkpoint, which are too many for its own row.
@@ -76,7 +96,7 @@ void add_parts(GDALDataset& dataset, std::string_view bytes) {
 }
 
 void remove_parts_of_none(GDALDataset& dataset) {
-  if (!has_table(dataset, parts_table)) return;
+  if (!holds_table(dataset, parts_table)) return;
   run_sql(dataset, fmt::format("DELETE FROM {} WHERE checkpoint NOT IN (SELECT id FROM "
                                "lsos_checkpoints)",
                                parts_table));
@@ -108,10 +128,10 @@ void add_checkpoint(GDALDataset& dataset, StoredCheckpoint& checkpoint) {
 }
 
 void remove_passing_checkpoints(GDALDataset& dataset) {
-  if (!has_table(dataset)) return;
+  if (!has_checkpoints(dataset)) return;
   run_sql(dataset, "DELETE FROM lsos_checkpoints WHERE kind <> 'kept'");
   remove_parts_of_none(dataset);
-  if (!checkpoint_entries(dataset).empty()) return;
+  if (has_checkpoints(dataset, "WHERE kind = 'kept'")) return;
   run_sql(dataset, "DROP TABLE lsos_checkpoints");
   run_sql(dataset, fmt::format("DROP TABLE IF EXISTS {}", parts_table));
 }
@@ -121,31 +141,36 @@ void remove_checkpoints_after(GDALDataset& dataset, std::int64_t id) {
   remove_parts_of_none(dataset);
 }
 
-std::vector<CheckpointEntry> checkpoint_entries(GDALDataset& dataset) {
+std::vector<CheckpointEntry> checkpoint_entries(const sqlite::Database& database) {
   std::vector<CheckpointEntry> entries;
-  if (!has_table(dataset)) return entries;
-  run_sql(
-      dataset, "SELECT id, time_us, kind FROM lsos_checkpoints ORDER BY id",
-      [&](const OGRFeature& row) {
-        const auto kind = kind_of(row.GetFieldAsString(2));
-        if (!kind) return;
-        entries.push_back({row.GetFieldAsInteger64(0), SimTime{row.GetFieldAsInteger64(1)}, *kind});
-      });
+  if (!has_table(database, "lsos_checkpoints")) return entries;
+  sqlite::Query query(database, "SELECT id, time_us, kind FROM lsos_checkpoints ORDER BY id");
+  while (query.next()) {
+    const std::int64_t id = query.integer(0), time_us = query.integer(1);
+    const auto kind = kind_of(query.text(2));
+    const bool is_early = !entries.empty() && SimTime{time_us} < entries.back().time;
+    if (query.kind(1) != sqlite::CellKind::integer || !is_time(time_us) || is_early || !kind) {
+      refuse(database, "lsos_checkpoints", id);
+    }
+    entries.push_back({id, SimTime{time_us}, *kind});
+  }
   return entries;
 }
 
-std::optional<StoredCheckpoint> read_checkpoint(GDALDataset& dataset, std::int64_t id) {
+std::optional<StoredCheckpoint> read_checkpoint(const sqlite::Database& database, std::int64_t id) {
   std::string sha256, bytes;
-  run_sql(dataset, fmt::format("SELECT sha256, content FROM lsos_checkpoints WHERE id = {}", id),
-          [&](const OGRFeature& row) {
-            sha256 = row.GetFieldAsString(0);
-            append_content(row, 1, bytes);
-          });
-  if (bytes.empty() && !sha256.empty() && has_table(dataset, parts_table)) {
-    run_sql(
-        dataset,
-        fmt::format("SELECT content FROM {} WHERE checkpoint = {} ORDER BY part", parts_table, id),
-        [&](const OGRFeature& row) { append_content(row, 0, bytes); });
+  {
+    sqlite::Query query(
+        database, fmt::format("SELECT sha256, content FROM lsos_checkpoints WHERE id = {}", id));
+    if (!query.next()) return {};
+    sha256 = query.text(0);
+    bytes = query.blob(1);
+  }
+  if (bytes.empty() && !sha256.empty() && has_table(database, parts_table)) {
+    sqlite::Query parts(
+        database,
+        fmt::format("SELECT content FROM {} WHERE checkpoint = {} ORDER BY part", parts_table, id));
+    while (parts.next()) bytes += parts.blob(0);
   }
   if (bytes.empty() || sha256_hex(bytes) != sha256) return {};
   try {
@@ -153,7 +178,11 @@ std::optional<StoredCheckpoint> read_checkpoint(GDALDataset& dataset, std::int64
     Archive a = Archive::reader(bytes);
     LSOS_ARCHIVE(a, checkpoint.time, checkpoint.kind, checkpoint.wall_s, checkpoint.last_fids,
                  checkpoint.state);
-    if (!a.is_exhausted()) return {};
+    const bool is_whole = a.is_exhausted() && is_time(checkpoint.time.count()) &&
+                          std::isfinite(checkpoint.wall_s) && checkpoint.wall_s >= 0;
+    if (!is_whole || std::ranges::any_of(checkpoint.last_fids, [](auto fid) { return fid < 0; })) {
+      return {};
+    }
     return checkpoint;
   } catch (const Archive::Mismatch&) {
     return {};
@@ -170,15 +199,19 @@ void write_branch(GDALDataset& dataset, const BranchOrigin& origin) {
                                origin.time.count(), quoted(origin.changes)));
 }
 
-std::optional<BranchOrigin> read_branch(GDALDataset& dataset) {
-  std::optional<BranchOrigin> origin;
-  if (!has_table(dataset, "lsos_branch")) return origin;
-  run_sql(dataset, "SELECT folder, log_sha256, time_us, changes FROM lsos_branch",
-          [&](const OGRFeature& row) {
-            origin = {row.GetFieldAsString(0), row.GetFieldAsString(1),
-                      SimTime{row.GetFieldAsInteger64(2)}, row.GetFieldAsString(3)};
-          });
-  return origin;
+std::optional<BranchOrigin> read_branch(const sqlite::Database& database) {
+  if (!has_table(database, "lsos_branch")) return {};
+  sqlite::Query query(database, "SELECT folder, log_sha256, time_us, changes FROM lsos_branch");
+  if (!query.next()) return {};
+  for (const int text : {0, 1, 3}) {
+    const bool is_text = query.kind(text) == sqlite::CellKind::text && is_utf8(query.text(text));
+    if (!is_text) refuse(database, "lsos_branch", 1);
+  }
+  if (query.kind(2) != sqlite::CellKind::integer || !is_time(query.integer(2))) {
+    refuse(database, "lsos_branch", 1);
+  }
+  return BranchOrigin{std::string(query.text(0)), std::string(query.text(1)),
+                      SimTime{query.integer(2)}, std::string(query.text(3))};
 }
 
 }  // namespace lsos::gpkg

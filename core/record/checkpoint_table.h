@@ -6,6 +6,7 @@
 
 #include "record/checkpoint.h"
 #include "record/gpkg.h"
+#include "record/sqlite.h"
 
 namespace lsos::gpkg {
 
@@ -17,13 +18,14 @@ void remove_passing_checkpoints(GDALDataset& dataset);
 // Removes those written after this one; after 0: all.
 void remove_checkpoints_after(GDALDataset& dataset, std::int64_t id);
 
-// Oldest first; empty where there is no table.
-std::vector<CheckpointEntry> checkpoint_entries(GDALDataset& dataset);
+// Oldest first; empty where there is no table. Throws InputError for one that none of ours holds.
+std::vector<CheckpointEntry> checkpoint_entries(const sqlite::Database& database);
 // nullopt: it is damaged, not there, or not of this form.
-std::optional<StoredCheckpoint> read_checkpoint(GDALDataset& dataset, std::int64_t id);
+std::optional<StoredCheckpoint> read_checkpoint(const sqlite::Database& database, std::int64_t id);
 
 // The one row of the internal table `lsos_branch`.
 void write_branch(GDALDataset& dataset, const BranchOrigin& origin);
-std::optional<BranchOrigin> read_branch(GDALDataset& dataset);
+// Throws InputError where it holds something else.
+std::optional<BranchOrigin> read_branch(const sqlite::Database& database);
 
 }  // namespace lsos::gpkg

@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "base/units.h"
+#include "record/json_text.h"
 #include "record/quantity_table.h"
 
 namespace lsos {
@@ -43,6 +44,21 @@ std::int64_t to_integer(const ColumnValue& value) {
 }
 
 // The column of one member of the row.
+constexpr ColumnLimits required{.is_required = true};
+constexpr ColumnLimits flag{.least = 0, .greatest = 1, .is_required = true};
+constexpr ColumnLimits moment{.least = 0, .greatest = time_max_s};
+constexpr ColumnLimits required_moment{.least = 0, .greatest = time_max_s, .is_required = true};
+// Farther than any rover comes, and nearer than where numbers lose their meaning.
+constexpr double far_m = 1e9;
+// With what rounding adds.
+constexpr double longitude_max_deg = 180.000001, latitude_max_deg = 90.000001;
+
+template <class Row>
+Column<Row> limited(Column<Row> column, const ColumnLimits& limits) {
+  column.limits = limits;
+  return column;
+}
+
 template <auto member, class Row = decltype(row_of(member))>
 Column<Row> real(std::string_view name) {
   return {name, ColumnType::real, [](const Row& row, Instant) { return from_number(row.*member); },
@@ -66,7 +82,8 @@ template <auto member, class Row = decltype(row_of(member))>
 Column<Row> time(std::string_view name) {
   return {name, ColumnType::real,
           [](const Row& row, Instant) { return ColumnValue{seconds(row.*member)}; },
-          [](Row& row, const ColumnValue& value) { row.*member = from_seconds(to_number(value)); }};
+          [](Row& row, const ColumnValue& value) { row.*member = from_seconds(to_number(value)); },
+          required_moment};
 }
 
 template <auto member, class Row = decltype(row_of(member))>
@@ -80,7 +97,8 @@ Column<Row> optional_time(std::string_view name) {
             const double* time_s = std::get_if<double>(&value);
             (row.*member).reset();
             if (time_s != nullptr) row.*member = from_seconds(*time_s);
-          }};
+          },
+          moment};
 }
 
 // Calendar time of a member, or of the first of two that is known.
@@ -98,27 +116,31 @@ Column<Row> utc(std::string_view name) {
 // Longitude and latitude of a member that is a place.
 template <auto member, class Row = decltype(row_of(member))>
 Column<Row> lon(std::string_view name) {
-  return {name, ColumnType::real,
-          [](const Row& row, Instant) { return from_number(lon_deg(row.*member)); },
-          [](Row& row, const ColumnValue& value) {
-            (row.*member).lon_rad = radians(to_number(value));
-          }};
+  return {
+      name,
+      ColumnType::real,
+      [](const Row& row, Instant) { return from_number(lon_deg(row.*member)); },
+      [](Row& row, const ColumnValue& value) { (row.*member).lon_rad = radians(to_number(value)); },
+      {.least = -longitude_max_deg, .greatest = longitude_max_deg}};
 }
 
 template <auto member, class Row = decltype(row_of(member))>
 Column<Row> lat(std::string_view name) {
-  return {name, ColumnType::real,
-          [](const Row& row, Instant) { return from_number(lat_deg(row.*member)); },
-          [](Row& row, const ColumnValue& value) {
-            (row.*member).lat_rad = radians(to_number(value));
-          }};
+  return {
+      name,
+      ColumnType::real,
+      [](const Row& row, Instant) { return from_number(lat_deg(row.*member)); },
+      [](Row& row, const ColumnValue& value) { (row.*member).lat_rad = radians(to_number(value)); },
+      {.least = -latitude_max_deg, .greatest = latitude_max_deg}};
 }
 
 template <int axis>
 Column<SampleRow> coordinate(std::string_view name) {
-  return {name, ColumnType::real,
+  return {name,
+          ColumnType::real,
           [](const SampleRow& row, Instant) { return from_number(row.p_S_m[axis]); },
-          [](SampleRow& row, const ColumnValue& value) { row.p_S_m[axis] = to_number(value); }};
+          [](SampleRow& row, const ColumnValue& value) { row.p_S_m[axis] = to_number(value); },
+          {.least = -far_m, .greatest = far_m, .is_required = true}};
 }
 
 template <std::size_t... k>
@@ -126,12 +148,18 @@ void add_quantities(std::vector<Column<SampleRow>>& columns, std::index_sequence
   (columns.push_back(real<quantity_table[k].value>(quantity_table[k].name)), ...);
 }
 
+constexpr std::string_view status_words[] = {"not_started", "waiting", "running",    "completed",
+                                             "failed",      "skipped", "incomplete", "disabled"};
+constexpr std::string_view sight_kinds[] = {"visible", "hidden", "link", "relayed"};
+
 Column<EventRow> status() {
-  return {"status", ColumnType::text,
+  return {"status",
+          ColumnType::text,
           [](const EventRow& row, Instant) { return ColumnValue{to_string(row.status)}; },
           [](EventRow& row, const ColumnValue& value) {
             row.status = event_status(to_string_or_empty(value)).value_or(EventStatus::not_started);
-          }};
+          },
+          {.is_required = true, .words = status_words}};
 }
 
 constexpr std::array<std::pair<EventStatus, const char*>, 8> status_names{{
@@ -152,8 +180,8 @@ std::span<const Column<SampleRow>> columns<SampleRow>() {
   using R = SampleRow;
   static const std::vector<Column<R>> table = [] {
     std::vector<Column<R>> all{time<&R::time>("time_s"), utc<&R::time>("utc"),
-                               text<&R::rover_id>("rover_id"), lon<&R::place>("lon_deg"),
-                               lat<&R::place>("lat_deg")};
+                               limited(text<&R::rover_id>("rover_id"), required),
+                               lon<&R::place>("lon_deg"), lat<&R::place>("lat_deg")};
     add_quantities(all, std::make_index_sequence<quantity_table.size()>{});
     // Behind the elevation stands the position in the site's frame.
     const auto elevation = std::ranges::find(all, "elevation_m", &Column<R>::name);
@@ -170,7 +198,7 @@ std::span<const Column<JointRow>> columns<JointRow>() {
   using R = JointRow;
   static const Column<R> table[] = {
       time<&R::time>("time_s"),
-      text<&R::rover_id>("rover_id"),
+      limited(text<&R::rover_id>("rover_id"), required),
       text<&R::joint>("joint"),
       real<&R::angle_rad>("angle_rad"),
       real<&R::extension_m>("extension_m"),
@@ -183,12 +211,12 @@ std::span<const Column<PairRow>> columns<PairRow>() {
   using R = PairRow;
   static const Column<R> table[] = {
       time<&R::time>("time_s"),
-      text<&R::from_id>("from_id"),
-      text<&R::to_id>("to_id"),
+      limited(text<&R::from_id>("from_id"), required),
+      limited(text<&R::to_id>("to_id"), required),
       real<&R::distance_m>("distance_m"),
-      integer<&R::visible>("visible"),
+      limited(integer<&R::visible>("visible"), flag),
       real<&R::visible_fraction>("visible_fraction"),
-      integer<&R::link>("link"),
+      limited(integer<&R::link>("link"), flag),
       text<&R::relay>("relay"),
       utc<&R::time>("utc"),
   };
@@ -199,10 +227,14 @@ template <>
 std::span<const Column<SightIntervalRow>> columns<SightIntervalRow>() {
   using R = SightIntervalRow;
   static const Column<R> table[] = {
-      text<&R::from_id>("from_id"), text<&R::to_id>("to_id"),
-      text<&R::kind>("kind"),       time<&R::start>("start_s"),
-      time<&R::end>("end_s"),       real<&R::light_time_s>("light_time_s"),
-      text<&R::by>("by"),           utc<&R::start>("utc"),
+      limited(text<&R::from_id>("from_id"), required),
+      limited(text<&R::to_id>("to_id"), required),
+      limited(text<&R::kind>("kind"), {.is_required = true, .words = sight_kinds}),
+      time<&R::start>("start_s"),
+      time<&R::end>("end_s"),
+      real<&R::light_time_s>("light_time_s"),
+      text<&R::by>("by"),
+      utc<&R::start>("utc"),
       utc<&R::end>("end_utc"),
   };
   return table;
@@ -213,7 +245,7 @@ std::span<const Column<PanelRow>> columns<PanelRow>() {
   using R = PanelRow;
   static const Column<R> table[] = {
       time<&R::time>("time_s"),
-      text<&R::rover_id>("rover_id"),
+      limited(text<&R::rover_id>("rover_id"), required),
       text<&R::panel>("panel"),
       real<&R::sun_fraction>("sun_fraction"),
       real<&R::incidence>("incidence"),
@@ -229,7 +261,7 @@ std::span<const Column<ResourceRow>> columns<ResourceRow>() {
   using R = ResourceRow;
   static const Column<R> table[] = {
       time<&R::time>("time_s"),
-      text<&R::rover_id>("rover_id"),
+      limited(text<&R::rover_id>("rover_id"), required),
       text<&R::resource>("resource"),
       real<&R::amount>("amount"),
   };
@@ -240,8 +272,8 @@ template <>
 std::span<const Column<EventRow>> columns<EventRow>() {
   using R = EventRow;
   static const Column<R> table[] = {
-      text<&R::rover_id>("rover_id"),
-      integer<&R::sequence>("sequence"),
+      limited(text<&R::rover_id>("rover_id"), required),
+      limited(integer<&R::sequence>("sequence"), required),
       text<&R::type>("type"),
       text<&R::label>("label"),
       status(),
@@ -262,8 +294,11 @@ template <>
 std::span<const Column<PhaseRow>> columns<PhaseRow>() {
   using R = PhaseRow;
   static const Column<R> table[] = {
-      text<&R::rover_id>("rover_id"), integer<&R::sequence>("sequence"), text<&R::phase>("phase"),
-      time<&R::start>("start_s"),     optional_time<&R::end>("end_s"),
+      limited(text<&R::rover_id>("rover_id"), required),
+      limited(integer<&R::sequence>("sequence"), required),
+      text<&R::phase>("phase"),
+      time<&R::start>("start_s"),
+      optional_time<&R::end>("end_s"),
   };
   return table;
 }
@@ -273,8 +308,8 @@ std::span<const Column<PlannedPathRow>> columns<PlannedPathRow>() {
   using R = PlannedPathRow;
   static const Column<R> table[] = {
       time<&R::time>("time_s"),
-      text<&R::rover_id>("rover_id"),
-      integer<&R::sequence>("sequence"),
+      limited(text<&R::rover_id>("rover_id"), required),
+      limited(integer<&R::sequence>("sequence"), required),
       integer<&R::leg>("leg"),
       integer<&R::attempt>("attempt"),
       real<&R::length_m>("length_m"),
@@ -291,8 +326,11 @@ template <>
 std::span<const Column<NoteRow>> columns<NoteRow>() {
   using R = NoteRow;
   static const Column<R> table[] = {
-      time<&R::time>("time_s"), text<&R::rover_id>("rover_id"),  integer<&R::sequence>("sequence"),
-      text<&R::name>("name"),   text<&R::fields_json>("fields"),
+      time<&R::time>("time_s"),
+      limited(text<&R::rover_id>("rover_id"), required),
+      limited(integer<&R::sequence>("sequence"), required),
+      text<&R::name>("name"),
+      limited(text<&R::fields_json>("fields"), {.is_json = true}),
   };
   return table;
 }
@@ -302,7 +340,7 @@ std::span<const Column<OrderRow>> columns<OrderRow>() {
   using R = OrderRow;
   static const Column<R> table[] = {
       time<&R::time>("time_s"),
-      text<&R::rover_id>("rover_id"),
+      limited(text<&R::rover_id>("rover_id"), required),
       text<&R::part>("part"),
       text<&R::name>("name"),
       text<&R::order>("standing_order"),
@@ -321,9 +359,12 @@ bool OrderRow::orders_same(const OrderRow& other) const {
   });
 }
 
+bool NoteRow::is_sound() const { return fields_json.empty() || is_json_object(fields_json); }
+
 template <>
 std::span<const Column<RunRow>> columns<RunRow>() {
-  static const Column<RunRow> table[] = {text<&RunRow::key>("key"), text<&RunRow::value>("value")};
+  static const Column<RunRow> table[] = {limited(text<&RunRow::key>("key"), required),
+                                         text<&RunRow::value>("value")};
   return table;
 }
 

@@ -20,6 +20,17 @@ enum class ColumnType { integer, real, text, utc };
 // monostate is NULL: a NaN, an absent optional, an empty text.
 using ColumnValue = std::variant<std::monostate, std::int64_t, double, std::string>;
 
+// The latest time in a log, s after the mission's start: far beyond the longest mission.
+inline constexpr double time_max_s = 1e9;
+
+// What a column may hold. A log may come from anyone, and is held to it when it is read.
+struct ColumnLimits {
+  double least = -1e20, greatest = 1e20;      // of numbers
+  bool is_required = false;                   // never NULL
+  std::span<const std::string_view> words{};  // the texts that are allowed; empty: all
+  bool is_json = false;                       // a text, an object in JSON
+};
+
 // One column of the rows of type Row.
 template <class Row>
 struct Column {
@@ -29,6 +40,7 @@ struct Column {
   ColumnValue (*value)(const Row& row, Instant start) = nullptr;
   // Sets the value in a row; nullptr where it follows from other columns.
   void (*set_value)(Row& row, const ColumnValue& value) = nullptr;
+  ColumnLimits limits{};
 };
 
 // Layer `run`: the inputs of the run.

@@ -10,6 +10,7 @@
 #include "access/file_access.h"
 #include "access/gdal_access.h"
 #include "base/error.h"
+#include "record/sqlite.h"
 
 namespace lsos::gpkg {
 
@@ -79,15 +80,6 @@ void set_utc(OGRFeature& feature, int field, const std::string& text) {
   feature.SetField(field, year, month, day, hour, minute, second, zone_utc);
 }
 
-std::string utc(const OGRFeature& feature, int field) {
-  int year = 0, month = 0, day = 0, hour = 0, minute = 0, zone = 0;
-  float second = 0;
-  feature.GetFieldAsDateTime(field, &year, &month, &day, &hour, &minute, &second, &zone);
-  const long milliseconds = std::lround(1000 * second);
-  return fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}:{:02}.{:03}Z", year, month, day, hour, minute,
-                     milliseconds / 1000, milliseconds % 1000);
-}
-
 }  // namespace
 
 Dataset create(const std::string& file) {
@@ -101,19 +93,18 @@ Dataset create(const std::string& file) {
   return Dataset(driver->Create(file.c_str(), 0, 0, 0, GDT_Unknown, options.List()));
 }
 
-Dataset open_to_read(const std::string& file) {
-  if (geopackage_driver() == nullptr) return nullptr;
-  allow_file(file);
-  const char* const drivers[] = {"GPKG", nullptr};
-  return Dataset(GDALDataset::Open(file.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, drivers));
-}
-
 Dataset open_to_write(const std::string& file) {
   if (geopackage_driver() == nullptr) return nullptr;
   allow_file(file);
   const WriteAheadLog settings;
   const char* const drivers[] = {"GPKG", nullptr};
-  return Dataset(GDALDataset::Open(file.c_str(), GDAL_OF_VECTOR | GDAL_OF_UPDATE, drivers));
+  Dataset dataset(GDALDataset::Open(file.c_str(), GDAL_OF_VECTOR | GDAL_OF_UPDATE, drivers));
+  if (dataset == nullptr) return nullptr;
+  // The log may come from elsewhere, with triggers that would run with what is written.
+  auto* handle = static_cast<sqlite3*>(dataset->GetInternalHandle("SQLITE_HANDLE"));
+  if (handle == nullptr) return nullptr;
+  sqlite::harden(handle);
+  return dataset;
 }
 
 std::string size_fault(const std::string& file, std::uintmax_t bytes_max) {
@@ -180,21 +171,6 @@ void set_value(OGRFeature& feature, int field, const ColumnValue& value) {
   }
 }
 
-ColumnValue value(const OGRFeature& feature, int field, ColumnType type) {
-  if (!feature.IsFieldSetAndNotNull(field)) return {};
-  switch (type) {
-    case ColumnType::integer:
-      return std::int64_t{feature.GetFieldAsInteger64(field)};
-    case ColumnType::real:
-      return feature.GetFieldAsDouble(field);
-    case ColumnType::utc:
-      return utc(feature, field);
-    case ColumnType::text:
-      break;
-  }
-  return std::string(feature.GetFieldAsString(field));
-}
-
 void set_point(OGRFeature& feature, const std::optional<Geodetic>& place) {
   if (!place) {
     feature.SetGeometryDirectly(nullptr);
@@ -207,30 +183,12 @@ void set_point(OGRFeature& feature, const std::optional<Geodetic>& place) {
   point->setZ(place->height_m);
 }
 
-std::optional<Geodetic> point(const OGRFeature& feature) {
-  const OGRGeometry* geometry = feature.GetGeometryRef();
-  if (geometry == nullptr || wkbFlatten(geometry->getGeometryType()) != wkbPoint) return {};
-  const OGRPoint* point = geometry->toPoint();
-  if (point->IsEmpty()) return {};
-  return geodetic_from_degrees(point->getX(), point->getY(), point->getZ());
-}
-
 void set_line(OGRFeature& feature, const std::vector<Geodetic>& line) {
   auto geometry = std::make_unique<OGRLineString>();
   for (const Geodetic& place : line) {
     geometry->addPoint(lon_deg(place), lat_deg(place), place.height_m);
   }
   feature.SetGeometryDirectly(geometry.release());
-}
-
-std::vector<Geodetic> line(const OGRFeature& feature) {
-  const OGRGeometry* geometry = feature.GetGeometryRef();
-  if (geometry == nullptr || wkbFlatten(geometry->getGeometryType()) != wkbLineString) return {};
-  std::vector<Geodetic> line;
-  for (const OGRPoint& point : *geometry->toLineString()) {
-    line.push_back(geodetic_from_degrees(point.getX(), point.getY(), point.getZ()));
-  }
-  return line;
 }
 
 }  // namespace lsos::gpkg

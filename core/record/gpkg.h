@@ -1,5 +1,5 @@
-// A thin wrapper of GDAL's vector API for one GeoPackage: ownership, and errors as text instead of
-// printed. Only for use in this folder.
+// A thin wrapper of GDAL's vector API to write one GeoPackage: ownership, and errors as text
+// instead of printed. Only for use in this folder.
 #pragma once
 
 #include <gdal_priv.h>
@@ -40,9 +40,7 @@ using Feature = std::unique_ptr<OGRFeature>;
 
 // Creates a file in WAL mode; nullptr when that fails (`file` exists, no space).
 Dataset create(const std::string& file);
-// nullptr when the file is no GeoPackage.
-Dataset open_to_read(const std::string& file);
-// The same, to write more in WAL mode.
+// To write more into a log, in WAL mode; nullptr when the file is no GeoPackage.
 Dataset open_to_write(const std::string& file);
 
 // Says that the file, with what is not folded into it yet, takes more than so many bytes; "" where
@@ -66,12 +64,8 @@ void add_titles(GDALDataset& dataset);
 
 // In a field of date and time the value is a text like "2026-07-01T00:00:00.000Z".
 void set_value(OGRFeature& feature, int field, const ColumnValue& value);
-ColumnValue value(const OGRFeature& feature, int field, ColumnType type);
 
 void set_point(OGRFeature& feature, const std::optional<Geodetic>& place);
-std::optional<Geodetic> point(const OGRFeature& feature);
-
 void set_line(OGRFeature& feature, const std::vector<Geodetic>& line);
-std::vector<Geodetic> line(const OGRFeature& feature);
 
 }  // namespace lsos::gpkg

@@ -1,5 +1,7 @@
 #include "record/layers.h"
 
+#include "base/error.h"
+
 namespace lsos {
 
 namespace {
@@ -8,7 +10,7 @@ template <class Row>
 LayerSpec filled(LayerGeometry geometry) {
   LayerSpec layer{layer_name<Row>, geometry, {}};
   for (const Column<Row>& column : columns<Row>()) {
-    layer.columns.push_back({column.name, column.type});
+    layer.columns.push_back({column.name, column.type, column.limits});
   }
   return layer;
 }
@@ -34,6 +36,14 @@ const std::vector<LayerSpec>& contract_layers() {
 const LayerSpec& order_layer() {
   static const LayerSpec layer = filled<OrderRow>(LayerGeometry::none);
   return layer;
+}
+
+const LayerSpec& layer_spec(std::string_view name) {
+  for (const LayerSpec& layer : contract_layers()) {
+    if (layer.name == name) return layer;
+  }
+  LSOS_ASSERT(order_layer().name == name);
+  return order_layer();
 }
 
 }  // namespace lsos

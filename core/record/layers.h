@@ -15,6 +15,7 @@ enum class LayerGeometry { none, point, line };
 struct ColumnSpec {
   std::string_view name;
   ColumnType type = ColumnType::real;
+  ColumnLimits limits{};
 };
 
 struct LayerSpec {
@@ -26,6 +27,8 @@ struct LayerSpec {
 const std::vector<LayerSpec>& contract_layers();
 // Layer `standing_orders`, which the file has besides.
 const LayerSpec& order_layer();
+// One of them.
+const LayerSpec& layer_spec(std::string_view name);
 
 // How QGIS draws a layer.
 struct LayerStyle {

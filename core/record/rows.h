@@ -94,6 +94,7 @@ enum class EventStatus {
   incomplete,
   disabled
 };
+constexpr EventStatus last_value(EventStatus) { return EventStatus::disabled; }
 const char* to_string(EventStatus status);
 
 // Layer `events`: (rover_id, sequence) is its key; writing it again updates the row.
@@ -162,6 +163,7 @@ struct NoteRow {
     LSOS_ARCHIVE(a, time, rover_id, sequence, name, fields_json, place.lon_rad, place.lat_rad,
                  place.height_m);
   }
+  bool is_sound() const;  // its fields are an object
 };
 
 }  // namespace lsos

@@ -213,4 +213,13 @@ void Multibody::archive(Archive& a) {
   if (a.is_reading()) update_motions();
 }
 
+bool Multibody::is_placed() const {
+  constexpr double far_m = 1e8, rounding = 1e-6;
+  const btMultiBody& body = impl_->body;
+  double sum = body.getBaseVel().length() + body.getBaseOmega().length();
+  for (int i = 0; i < body.getNumLinks(); ++i) sum += body.getJointPos(i) + body.getJointVel(i);
+  return std::isfinite(sum) && body.getBasePos().length() < far_m &&
+         std::abs(body.getWorldToBaseRot().length() - 1) < rounding;
+}
+
 }  // namespace lsos

@@ -60,6 +60,8 @@ class Multibody {
   void halt();
 
   void archive(Archive& a);
+  // Whether all numbers are finite, within reach of the ground, and the rotation is one.
+  bool is_placed() const;
 
  private:
   void update_motions();

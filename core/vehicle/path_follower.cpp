@@ -367,7 +367,22 @@ void PathFollower::archive(Archive& a) {
                incline_.pitch_rad, incline_.bank_rad, heading_rad_, remaining_m_, best_remaining_m_,
                best_heading_error_rad_, stopping_s_, since_progress_s_, status_, reason_, is_stuck_,
                is_off_line_, passed_, speed_limit_mps_);
-  if (a.is_reading()) build_line();
+  if (!a.is_reading()) return;
+  if (!has_sound_waypoints()) a.refuse("saved state holds a line that nobody can follow");
+  build_line();
+}
+
+bool PathFollower::has_sound_waypoints() const {
+  constexpr double far_m = 1e8;
+  const double numbers = limits_.speed_mps + limits_.acceleration_mps2 + limits_.radius_min_m +
+                         limits_.turn_rate_radps + limits_.corner_offset_m + limits_.steering_m +
+                         limits_.lookahead_min_m;
+  return std::isfinite(numbers) && limits_.speed_mps > 0 && limits_.acceleration_mps2 > 0 &&
+         std::ranges::all_of(
+             waypoints_S_m_,
+             [](const Vec2& p_S_m) { return p_S_m.cwiseAbs().maxCoeff() < far_m; }) &&
+         std::ranges::is_sorted(gear_changes_) &&
+         (gear_changes_.empty() || gear_changes_.back() < waypoints_S_m_.size());
 }
 
 }  // namespace lsos

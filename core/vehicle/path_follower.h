@@ -50,6 +50,7 @@ struct FollowerPose {
 class PathFollower {
  public:
   enum class Status { driving, arrived, failed };
+  friend constexpr Status last_value(Status) { return Status::failed; }
 
   PathFollower() = default;
   // `path_S_m` has at least one waypoint; only x and y matter. The line begins at the rover; the
@@ -92,8 +93,10 @@ class PathFollower {
   double share() const;
 
   void archive(Archive& a);
+  bool is_sound() const { return leg_ < line_.size() || (leg_ == 0 && line_.empty()); }
 
  private:
+  bool has_sound_waypoints() const;
   // Passes to the piece of the line that the rover is on.
   void find_piece(const FollowerPose& pose);
   void change_gear();

@@ -65,6 +65,9 @@ class PostureControl {
   void wake();
 
   void archive(Archive& a);
+  bool is_sound() const {
+    return nominal_B_m_.size() == chains_.size() && target_B_m_.size() == chains_.size();
+  }
 
  private:
   // Rates of the extensions by limb: all of each, its part that turns the chassis, and the part of

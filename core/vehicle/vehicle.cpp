@@ -234,9 +234,21 @@ std::vector<double> Vehicle::joint_positions() const {
 
 void Vehicle::archive(Archive& a) {
   a.tag("vehicle");
+  // Of these the rover's script says how many there are.
+  const auto counts = [&] {
+    std::vector<std::size_t> all{wheels_.size(), steerings_.size(), limb_loads_n_.size()};
+    for (const auto& limb : limb_joints_) all.push_back(limb.size());
+    return all;
+  };
+  const std::vector<std::size_t> before = counts();
   if (posture_) LSOS_ARCHIVE(a, *posture_, limb_joints_, limb_loads_n_);
   LSOS_ARCHIVE(a, bodies_, wheels_, steerings_, command_, ground_normal_S_, is_chassis_on_ground_,
                distance_m_, drive_j_, drive_w_, work_, steps_, fault_);
+  if (counts() != before) a.refuse("saved state is of another vehicle");
+}
+
+bool Vehicle::is_sound() const {
+  return (!fault_.empty() || bodies_.is_placed()) && steps_ >= 0 && ground_normal_S_.allFinite();
 }
 
 }  // namespace lsos

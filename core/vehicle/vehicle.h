@@ -142,6 +142,7 @@ class Vehicle {
   double drive_w() const { return drive_w_; }  // mean over the last period
 
   void archive(Archive& a);
+  bool is_sound() const;
 
  private:
   struct WheelState {

@@ -103,6 +103,7 @@ struct Wheel {
 
 // How a wheel turns: driven by its motor and brake, freely, or not at all (a seized drive).
 enum class WheelMode { driven, free, locked };
+constexpr WheelMode last_value(WheelMode) { return WheelMode::locked; }
 
 enum class JointType { revolute, prismatic };
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "base/console.h"
 #include "base/files.h"
@@ -24,6 +23,7 @@
 #include "mission/model/plan_revision.h"
 #include "plan/renumbered.h"
 #include "product/replaced_run.h"
+#include "product/summary.h"
 
 namespace lsos {
 
@@ -82,10 +82,9 @@ std::string changes_text(const BranchOptions& options) {
   return text;
 }
 
-std::string digest_in(const std::string& folder) {
-  const std::string bytes = read_file(folder + "/summary.json").value_or("");
-  const auto summary = nlohmann::json::parse(bytes, nullptr, false);
-  return summary.is_object() ? summary.value("log_sha256", "") : "";
+// Digest of the log of a finished run, computed from the log; "": the run did not finish.
+std::string digest_of(const std::string& folder, const LogReader& log) {
+  return is_summary(read_file(folder + "/summary.json").value_or("")) ? log.sha256() : "";
 }
 
 void print(const Faults& faults, bool is_quiet) {
@@ -195,7 +194,7 @@ void leave_trunk(SessionParts& parts, Leave leave, const BranchOptions& options,
       std::make_unique<RunRecord>(*parts.folder, parts.files, leave.saved.id, *parts.simulation);
   const std::string trunk = std::filesystem::absolute(options.folder).lexically_normal();
   parts.record->log().begin_branch(
-      {trunk, digest_in(options.folder), leave.moment, changes_text(options)});
+      {trunk, digest_of(options.folder, log), leave.moment, changes_text(options)});
   while (parts.simulation->now() < leave.moment && !parts.simulation->is_finished()) {
     parts.simulation->advance(leave.moment);
   }

@@ -1,5 +1,8 @@
 #include "lua/host/run_mission.h"
 
+#include <fmt/format.h>
+
+#include <charconv>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -17,7 +20,13 @@ MissionFiles files_of_run(const std::string& folder,
   if (!run.contains("seed") || !run.contains("plan_sha256")) {
     throw InputError({}, folder + ": its log does not say what was run");
   }
-  const std::uint64_t seed = std::stoull(run.at("seed"));  // may have been given as an option
+  const std::string& seed_text = run.at("seed");  // may have been given as an option
+  std::uint64_t seed = 0;
+  const char* const end = seed_text.data() + seed_text.size();
+  if (std::from_chars(seed_text.data(), end, seed).ptr != end || seed_text.empty()) {
+    throw InputError({folder + "/log.gpkg"},
+                     fmt::format("layer 'run', seed = '{}': a whole number is allowed", seed_text));
+  }
   const auto summary =
       nlohmann::json::parse(read_file(folder + "/summary.json").value_or("{}"), nullptr, false);
   if (summary.is_object() && summary.contains("plan") && summary["plan"].is_string()) {

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "base/quantity.h"
 #include "lua/host/script_use.h"
 #include "lua/host/version.h"
@@ -20,7 +23,13 @@ void restore_site(const std::map<std::string, std::string>& run, Plan& plan) {
   const Unit& one = *find_unit("1");
   const Parsed<double> lon_rad = parse_quantity(lon->second, one);
   const Parsed<double> lat_rad = parse_quantity(lat->second, one);
-  if (lon_rad && lat_rad) plan.mission.site = Geodetic{*lon_rad.value, *lat_rad.value, 0};
+  const bool is_place = lon_rad && lat_rad && std::abs(*lon_rad.value) <= std::numbers::pi &&
+                        std::abs(*lat_rad.value) <= std::numbers::pi / 2;
+  if (!is_place) {
+    throw InputError({}, fmt::format("layer 'run' of the log: {} and {} are no place", site_lon_key,
+                                     site_lat_key));
+  }
+  plan.mission.site = Geodetic{*lon_rad.value, *lat_rad.value, 0};
 }
 
 std::map<std::string, std::string> run_values(const MissionFiles& files,

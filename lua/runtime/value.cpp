@@ -16,6 +16,7 @@ namespace {
 constexpr int depth_max = 100;
 
 enum class Tag : std::uint8_t { nil, no, yes, integer, number, text, vec3, table };
+constexpr Tag last_value(Tag) { return Tag::table; }
 
 // Path of a value: a key or a list index within its parent. Its text is built only for messages, as
 // most values are sound.
@@ -237,13 +238,16 @@ class Saver {
   std::unordered_set<const void*> seen_;
 };
 
-void restore_table(lua_State* L, Archive& archive) {
+void restore_value(lua_State* L, Archive& archive, int depth);
+
+void restore_table(lua_State* L, Archive& archive, int depth) {
+  if (depth > depth_max) archive.refuse("saved ev.state is nested too deep");
   luaL_checkstack(L, 6, "nested too deep");
   std::int64_t length = 0;
   archive(length);
   lua_newtable(L);
   for (std::int64_t i = 1; i <= length; ++i) {
-    restore_value(L, archive);
+    restore_value(L, archive, depth + 1);
     lua_rawseti(L, -2, i);
   }
   std::int64_t field_count = 0;
@@ -252,21 +256,12 @@ void restore_table(lua_State* L, Archive& archive) {
     std::string key;
     archive(key);
     lua_pushlstring(L, key.data(), key.size());
-    restore_value(L, archive);
+    restore_value(L, archive, depth + 1);
     lua_rawset(L, -3);
   }
 }
 
-}  // namespace
-
-bool save_value(lua_State* L, int index, const std::string& name, Archive& archive,
-                const FileLocals& file) {
-  Saver saver(L, archive, file);
-  saver.value(lua_absindex(L, index), Path{nullptr, name}, 0);
-  return saver.comes_back_different();
-}
-
-void restore_value(lua_State* L, Archive& archive) {
+void restore_value(lua_State* L, Archive& archive, int depth) {
   Tag tag{};
   archive(tag);
   switch (tag) {
@@ -297,9 +292,19 @@ void restore_value(lua_State* L, Archive& archive) {
       return push_vec3(L, value);
     }
     case Tag::table:
-      return restore_table(L, archive);
+      return restore_table(L, archive, depth);
   }
-  throw Archive::Mismatch("saved ev.state holds an unknown kind of value");
 }
+
+}  // namespace
+
+bool save_value(lua_State* L, int index, const std::string& name, Archive& archive,
+                const FileLocals& file) {
+  Saver saver(L, archive, file);
+  saver.value(lua_absindex(L, index), Path{nullptr, name}, 0);
+  return saver.comes_back_different();
+}
+
+void restore_value(lua_State* L, Archive& archive) { restore_value(L, archive, 0); }
 
 }  // namespace lsos

@@ -85,6 +85,7 @@ int refuse_rover(lua_State* L) {
 }
 
 void push_json(lua_State* L, const nlohmann::json& value) {
+  luaL_checkstack(L, 4, "fields of a note are nested too deep");
   if (value.is_object()) {
     lua_newtable(L);
     for (const auto& [key, member] : value.items()) {

@@ -64,6 +64,7 @@ const std::vector<Library>& libraries() {
        {"access", "terrain", "record", "plan", "interchange"}},
       {std::regex("proj\\.h"), {"access"}},
       {std::regex("dlfcn\\.h"), {"access"}},  // PROJ's own function behind ours
+      {std::regex("sqlite3\\.h"), {"record"}},  // logs, cell by cell
       {std::regex("erfa[a-z]*\\.h"), {"planet"}},
       {std::regex("tinyxml2\\.h"), {"plan", "interchange"}},
       {std::regex("libxml/.*"), {"edit"}},  // changes in place
@@ -77,7 +78,7 @@ const std::vector<Library>& libraries() {
       {std::regex("CLI/.*"), {"lua"}},
       {std::regex("(editline/.*|histedit\\.h)"), {"lua"}},
       {std::regex("gnu/libc-version\\.h"), {"route"}},  // version of the C library
-      {std::regex("nlohmann/.*"), {"interchange", "picture", "product", "lua"}},
+      {std::regex("nlohmann/.*"), {"interchange", "picture", "product", "record", "lua"}},
       {std::regex("openssl/.*"), {"base"}},
   };
   return table;

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -21,6 +22,11 @@ namespace {
   const int nothing = open("/dev/null", O_RDONLY);
   if (dup2(nothing, 0) < 0 || dup2(out, 1) < 0 || dup2(err, 2) < 0) _exit(126);
   if (chdir(where.folder.c_str()) != 0) _exit(126);
+  if (where.cpu_max_s > 0) {
+    const auto most = static_cast<rlim_t>(where.cpu_max_s);
+    const rlimit limit{most, most};
+    setrlimit(RLIMIT_CPU, &limit);
+  }
   // Rasters of the reference data are named by plans that lie elsewhere.
   if (std::filesystem::is_directory(reference_folder())) {
     setenv("LSOS_REFERENCE_DATA", reference_folder().c_str(), 0);
@@ -61,7 +67,7 @@ Process::~Process() {
 }
 
 void Process::reap(int options) {
-  if (is_running_ && waitpid(pid_, &status_, options) == pid_) is_running_ = false;
+  if (is_running_ && wait4(pid_, &status_, options, &usage_) == pid_) is_running_ = false;
 }
 
 bool Process::is_running() {
@@ -89,6 +95,11 @@ Outcome Process::wait() {
   Outcome outcome;
   outcome.was_killed = WIFSIGNALED(status_);
   outcome.exit_code = outcome.was_killed ? 128 + WTERMSIG(status_) : WEXITSTATUS(status_);
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  outcome.cpu_s = seconds(usage_.ru_utime) + seconds(usage_.ru_stime);
+  outcome.memory_mib = static_cast<double>(usage_.ru_maxrss) / 1024;
   outcome.out = all_of(out_.get());
   outcome.err = all_of(err_.get());
   return outcome;

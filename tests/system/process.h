@@ -1,6 +1,7 @@
 // Starts programs as a user's shell does: lsos-host itself, and the tools that read its results.
 #pragma once
 
+#include <sys/resource.h>
 #include <sys/types.h>
 
 #include <cstdio>
@@ -18,11 +19,14 @@ struct Outcome {
   bool was_killed = false;  // ended by a signal that it did not handle
   std::string out;
   std::string err;
+  double cpu_s = 0;       // of all its threads
+  double memory_mib = 0;  // the most that it held at a time
 };
 
 struct Surroundings {
   std::filesystem::path folder = ".";
   Words environment = {};  // "NAME=value", in addition to this process's
+  int cpu_max_s = 0;       // after which it is killed; 0: no limit
 };
 
 // A running program. It is killed when this object is destroyed or this process ends.
@@ -53,6 +57,7 @@ class Process {
   pid_t pid_ = -1;
   bool is_running_ = true;
   int status_ = 0;
+  rusage usage_{};
 };
 
 // Runs any program to its end.

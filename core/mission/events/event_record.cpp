@@ -1,6 +1,7 @@
 #include "mission/events/event_record.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace lsos {
@@ -25,6 +26,14 @@ void EventRecord::archive(Archive& a) {
   LSOS_ARCHIVE(a, status, reason, ready, start, end, distance_start_m, distance_m, used_start_j,
                energy_used_j, solar_start_j, solar_j, charge_start, charge_end, place.lon_rad,
                place.lat_rad, place.height_m, is_prevented, is_timed, is_written);
+}
+
+bool EventRecord::is_sound() const {
+  const auto is_time = [](const std::optional<SimTime>& time) {
+    return !time || *time >= SimTime{};
+  };
+  return is_time(ready) && is_time(start) && is_time(end) &&
+         std::isfinite(place.lon_rad + place.lat_rad + place.height_m);
 }
 
 void EventRecords::insert(std::size_t index, bool is_timed) {

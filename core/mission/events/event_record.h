@@ -31,6 +31,7 @@ struct EventRecord {
   bool has_begun() const;
 
   void archive(Archive& a);
+  bool is_sound() const;
 };
 
 // The records of one rover's events, and which of them the log does not hold as they are.

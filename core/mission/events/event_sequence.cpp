@@ -354,7 +354,14 @@ void EventSequence::archive(Archive& a, ScriptHost& host) {
   a.tag("events");
   LSOS_ARCHIVE(a, records_, index_, has_turn_, waits_for_others_, waits_for_charge_,
                waits_for_condition_, is_finished_, has_failed_, aborts_mission_, is_running);
-  if (a.is_reading() && is_running) running_.emplace(event());
+  if (a.is_reading()) {
+    const std::size_t count = machine_.events.size();
+    const bool fits = records_.size() == count && index_ <= count;
+    if (!fits || (index_ == count && (has_turn_ || is_running))) {
+      a.refuse("saved state is of other events");
+    }
+    if (is_running) running_.emplace(event());
+  }
   if (!is_running) return;
   LSOS_ARCHIVE(a, watch_);
   const Archive::Part part(a, "running_");

@@ -12,6 +12,14 @@ namespace {
 constexpr SimTime long_stay{3'600'000'000};
 constexpr std::size_t frames_max = 8;  // greatest depth of events within events
 
+bool has_phase(const ScriptHost& host, const std::string& type, const std::string& phase) {
+  const auto& events = host.declarations().events;
+  const auto found = events.find(type);
+  return found != events.end() &&
+         std::ranges::find(found->second.phases, phase, &EventDeclaration::Phase::name) !=
+             found->second.phases.end();
+}
+
 }  // namespace
 
 RunningEvent::RunningEvent(const PlanEvent& event)
@@ -211,12 +219,21 @@ void RunningEvent::archive(Archive& a, ScriptHost& host) {
   a.tag("running");
   std::uint64_t depth = frames_.size();
   LSOS_ARCHIVE(a, begun_, wake_, wake_at_, latest_, depth);
-  if (a.is_reading()) frames_.resize(depth);
+  if (a.is_reading()) {
+    if (depth == 0 || depth > frames_max) a.refuse("saved state holds events nested so deep");
+    frames_.resize(depth);
+  }
   for (Frame& frame : frames_) {
     std::string state = a.is_reading() ? "" : host.save(frame.instance);
     LSOS_ARCHIVE(a, frame.type, frame.phase, frame.next, frame.start, frame.phase_start,
                  frame.number, frame.outer, frame.arguments, state);
     if (a.is_reading()) {
+      const Frame* below = &frame == &frames_.front() ? nullptr : &frame - 1;
+      const bool goes_on =
+          below == nullptr || frame.next.empty() || has_phase(host, below->type, frame.next);
+      if (!goes_on || !has_phase(host, frame.type, frame.phase)) {
+        a.refuse("saved state holds a phase that its event has not");
+      }
       frame.instance = host.begin(frame.type, frame.arguments);
       host.restore(frame.instance, state);
     }

@@ -64,6 +64,7 @@ class RunningEvent {
     ScriptInstance instance = 0;  // not saved: begun again
   };
   enum class Wake { next_exchange, at_time, arrival };
+  friend constexpr Wake last_value(Wake) { return Wake::arrival; }
 
   PhaseContext context(const Turn& turn) const;
   Progress fail(const std::string& reason, const Turn& turn);

@@ -2,6 +2,7 @@
 // visible, and who is linked to whom, directly or through relays.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <limits>
@@ -90,7 +91,13 @@ class SightWatch {
 
   void archive(Archive& a) {
     a.tag("sight");
+    const std::vector<Pair> before = pairs_;
     LSOS_ARCHIVE(a, pairs_, earth_over_end_, pairs_over_end_);
+    const auto are_same_ends = [](const Pair& one, const Pair& other) {
+      return one.from == other.from && one.to == other.to;
+    };
+    if (!std::ranges::equal(pairs_, before, are_same_ends))
+      a.refuse("saved state is of other ends");
   }
 
  private:

@@ -73,6 +73,7 @@ class AntennaArray {
   bool has_changed(SimTime now) const;
 
   void archive(Archive& a);
+  bool is_sound() const { return states_.size() == specs_.size(); }
 
  private:
   struct State {

@@ -22,6 +22,18 @@ std::string bytes_of(auto value) {
   return a.bytes();
 }
 
+// Whether a leg that was kept elsewhere leads from the start that is asked for to the goal, unless it
+// says why not.
+bool fits(const PlannedLeg& leg, const LegRequest& request) {
+  constexpr double near_m = 1;
+  if (!leg.is_found()) return !leg.reason.empty();
+  const auto is_near = [](const Vec3& p_S_m, const Vec3& other_S_m) {
+    return (p_S_m - other_S_m).head<2>().norm() < near_m;
+  };
+  return is_near(leg.path_S_m.front(), request.start_S_m) &&
+         (leg.ends_short() || is_near(leg.path_S_m.back(), request.goal_S_m));
+}
+
 }  // namespace
 
 PlannedLegs::PlannedLegs(const Ground& ground, std::uint64_t seed) : ground_(&ground), seed_(seed) {
@@ -39,12 +51,15 @@ const PlannedLeg& PlannedLegs::leg(const DriveCost& cost, LegRequest request) {
     const std::lock_guard lock(mutex_);
     requested_.insert(key);
     const auto known = legs_.find(key);
-    if (known != legs_.end()) return known->second;
+    if (known != legs_.end() && (planned_now_.contains(key) || fits(known->second, request))) {
+      return known->second;
+    }
   }
   request.seed = mix_key(seed_, key);
   PlannedLeg planned = plan_leg(*ground_, cost, request);
   const std::lock_guard lock(mutex_);
-  const PlannedLeg& leg = legs_.emplace(key, std::move(planned)).first->second;
+  if (planned_now_.insert(key).second) legs_[key] = std::move(planned);
+  const PlannedLeg& leg = legs_.at(key);
   ++planned_;
   if (keep_ && ++not_yet_kept_ > planned_ / kept_parts) {
     keep_(kept_locked());
@@ -62,6 +77,7 @@ void PlannedLegs::recall(const std::string& bytes) {
     Archive a = Archive::reader(body);
     std::map<std::string, PlannedLeg> legs;
     a.tag(kept_tag)(legs);
+    if (!a.is_exhausted()) return;
     const std::lock_guard lock(mutex_);
     legs_.merge(legs);
   } catch (const Archive::Mismatch&) {

@@ -33,7 +33,8 @@ class PlannedLegs {
   const PlannedLeg& leg(const DriveCost& cost, LegRequest request);
 
   // Takes up legs of an earlier run of the same program. A leg is used only for the same ground,
-  // rover, settings and places, to the last bit; damaged bytes are ignored.
+  // rover, settings and places, to the last bit; damaged bytes are ignored, and so is a leg that
+  // leads elsewhere.
   void recall(const std::string& bytes);
   // Legs for the next run to recall: all that were requested, and others up to 2000 legs in all. ""
   // when nothing was planned.
@@ -48,7 +49,7 @@ class PlannedLegs {
   std::vector<Obstacle> standing_;
   mutable std::mutex mutex_;  // guards all that follows; not held while a leg is planned
   std::map<std::string, PlannedLeg> legs_;  // key: hash of all that the leg depends on
-  std::set<std::string> requested_;
+  std::set<std::string> requested_, planned_now_;
   std::function<void(const std::string& bytes)> keep_;
   std::size_t planned_ = 0;       // number of legs that were not known
   std::size_t not_yet_kept_ = 0;  // of these, since `keep_` was last called

@@ -39,6 +39,12 @@ void SlipHistogram::add(double slip) {
   ++exchanges_[static_cast<std::int32_t>(std::lround(std::clamp(slip, -1.0, 1.0) * bins))];
 }
 
+bool SlipHistogram::is_sound() const {
+  return std::ranges::all_of(exchanges_, [](const auto& bin) {
+    return std::abs(bin.first) <= bins && bin.second > 0 && bin.second < (std::int64_t{1} << 40);
+  });
+}
+
 double SlipHistogram::quantile(double share) const {
   std::int64_t all = 0, below = 0;
   for (const auto& [number, count] : exchanges_) all += count;

@@ -40,6 +40,7 @@ class SlipHistogram {
   double quantile(double share) const;
 
   void archive(Archive& a) { LSOS_ARCHIVE(a, exchanges_); }
+  bool is_sound() const;
 
  private:
   std::map<std::int32_t, std::int64_t>

@@ -1,6 +1,7 @@
 #include "mission/rover/resource_stores.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace lsos {
 
@@ -35,6 +36,12 @@ double ResourceStores::restock(const std::string& name, double amount) {
   const double most = at_first_.at(name), before = found->second;
   found->second = std::max(before, std::min(before + amount, most));
   return found->second - before;
+}
+
+bool ResourceStores::is_sound() const {
+  return std::ranges::equal(amounts_, at_first_, [](const auto& now, const auto& first) {
+    return now.first == first.first && std::isfinite(now.second);
+  });
 }
 
 }  // namespace lsos

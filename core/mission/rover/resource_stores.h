@@ -26,6 +26,8 @@ class ResourceStores {
   double restock(const std::string& name, double amount);
 
   void archive(Archive& a) { a(amounts_); }
+  // Whether there are the resources of the specs.
+  bool is_sound() const;
 
  private:
   std::map<std::string, double> at_first_, amounts_;

@@ -90,4 +90,13 @@ void RoverMotion::archive(Archive& a) {
   if (a.is_reading()) update_footprint();
 }
 
+bool RoverMotion::is_sound() const {
+  constexpr double far_m = 1e8;
+  const double angles_rad =
+      report_.heading_rad + report_.pitch_rad + report_.roll_rad + report_.yaw_rad;
+  return joints_.size() == config().links.size() && report_.p_S_m.cwiseAbs().maxCoeff() < far_m &&
+         report_.v_S_mps.allFinite() && std::isfinite(angles_rad) &&
+         std::isfinite(distance_m_ + report_.speed_mps);
+}
+
 }  // namespace lsos

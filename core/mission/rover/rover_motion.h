@@ -61,6 +61,7 @@ class RoverMotion {
   bool is_broken() const { return is_broken_; }  // numbers are not finite: it stays where it is
 
   void archive(Archive& a);
+  bool is_sound() const;
 
  private:
   void update_footprint();

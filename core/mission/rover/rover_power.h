@@ -181,6 +181,7 @@ class RoverPower : public PowerPort {
   void clear_panel_command() { has_panel_command_ = false; }
 
   void archive(Archive& a);
+  bool is_sound() const;
 
  private:
   bool has_capacity() const { return spec_.battery->capacity_j > 0; }  // not all of it is lost

@@ -110,7 +110,12 @@ void name_rovers(Json& rovers) {
   }
 }
 
-Json run_json(const RunOfPage& run, std::size_t k, const RunOfPage& first) {
+ComparedRun compared_run(const RunOfPage& run) {
+  return {run.summary, run.log->run(), run.summary.empty() ? "" : run.log->sha256()};
+}
+
+// `first`: the first run, as it is compared with others.
+Json run_json(const RunOfPage& run, std::size_t k, const ComparedRun& first) {
   Json summary = Json::parse(run.summary, nullptr, false);
   const bool is_finished = summary.is_object();
   Json json = {{"name", run_name(k)},
@@ -126,11 +131,7 @@ Json run_json(const RunOfPage& run, std::size_t k, const RunOfPage& first) {
                {"is_equal", false},
                {"has_equal_log", false}};
   if (k > 0 && is_finished && !first.summary.empty()) {
-    // The digests are taken as recorded: `compare` and `verify` compute them.
-    const auto compared = [](const RunOfPage& of) {
-      return ComparedRun{of.summary, of.log->run(), log_digest(of.summary, "").of_summary};
-    };
-    const Comparison found = compare(compared(first), compared(run));
+    const Comparison found = compare(first, compared_run(run));
     json["is_equal"] = found.is_equal();
     json["has_equal_log"] = found.has_equal_logs();
   }
@@ -174,8 +175,9 @@ std::string several_runs_page(std::vector<RunOfPage> runs, const ReportRequest& 
   name_rovers(document["rovers"]);
   std::vector<RunOutcome> outcomes;
   document["runs"] = Json::array();
+  const ComparedRun compared_first = compared_run(first);
   for (std::size_t k = 0; k < runs.size(); ++k) {
-    document["runs"].push_back(run_json(runs[k], k, first));
+    document["runs"].push_back(run_json(runs[k], k, compared_first));
     outcomes.push_back({runs[k].folder, runs[k].log->events(), runs[k].summary});
   }
   document["differing_events"] = events_json(differing_events(outcomes));

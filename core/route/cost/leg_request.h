@@ -16,6 +16,7 @@ enum class RouteAim {
   energy,  // electrical energy of driving
   risk,    // length, each metre over the share of the nearest limit that is left, at least 0.05
 };
+constexpr RouteAim last_value(RouteAim) { return RouteAim::risk; }
 
 // Disc of ground that a leg avoids.
 struct AvoidedDisc {
@@ -94,6 +95,8 @@ struct PlannedLeg {
     LSOS_ARCHIVE(a, path_S_m, gear_changes, cost, length_m, duration_s, energy_j, slope_max_rad,
                  steepest_S_m, end_heading_rad, messages, reason, nearest_S_m);
   }
+  // Whether the numbers are finite and the changes of gear are points of the path.
+  bool is_sound() const;
 };
 
 }  // namespace lsos

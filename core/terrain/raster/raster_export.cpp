@@ -44,7 +44,9 @@ GDALDatasetUniquePtr in_memory(const MapGrid& grid, const Body& body,
       driver("MEM").Create("", grid.columns, grid.rows, count, GDT_Float32, nullptr));
   if (!dataset) refuse("the map");
   OGRSpatialReference crs;
-  crs.importFromWkt(grid.crs.c_str());
+  if (crs.importFromWkt(grid.crs.c_str()) != OGRERR_NONE) {
+    throw InputError({}, "the map has no coordinate reference system that GDAL reads");
+  }
   crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
   dataset->SetSpatialRef(&crs);
   dataset->SetGeoTransform(const_cast<double*>(grid.geotransform.data()));

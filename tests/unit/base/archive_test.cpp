@@ -13,6 +13,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 enum class Gear { low, high };
+constexpr Gear last_value(Gear) { return Gear::high; }
 
 struct Wheel {
   double slip = 0;
@@ -177,6 +178,51 @@ TEST(Archive, refuses_absurd_sizes_without_allocating) {
     EXPECT_THROW(read<std::vector<double>>(writer.bytes()), Archive::Mismatch);
     EXPECT_THROW((read<std::map<std::string, double>>(writer.bytes())), Archive::Mismatch);
   }
+}
+
+std::string refusal(const std::string& bytes, auto value) {
+  try {
+    Archive reader = Archive::reader(bytes);
+    reader(value);
+    return "";
+  } catch (const Archive::Mismatch& mismatch) {
+    return mismatch.what();
+  }
+}
+
+TEST(Archive, refuses_a_choice_that_an_enumeration_has_not) {
+  Archive writer = Archive::writer();
+  int gear = 2;
+  writer(gear);
+  EXPECT_THAT(refusal(writer.bytes(), Gear::low), HasSubstr("an unknown choice"));
+  Archive negative = Archive::writer();
+  gear = -1;
+  negative(gear);
+  EXPECT_THAT(refusal(negative.bytes(), Gear::low), HasSubstr("an unknown choice"));
+}
+
+TEST(Archive, refuses_a_time_with_which_no_sum_can_be_made) {
+  Archive writer = Archive::writer();
+  SimTime time = SimTime::max();
+  writer(time);
+  EXPECT_THAT(refusal(writer.bytes(), SimTime{}), HasSubstr("a time that no mission has"));
+}
+
+struct Choice {
+  std::vector<double> values;
+  std::size_t chosen = 0;
+
+  void archive(Archive& a) { LSOS_ARCHIVE(a, values, chosen); }
+  bool is_sound() const { return chosen < values.size(); }
+};
+
+TEST(Archive, asks_what_it_has_read_whether_it_is_sound) {
+  Archive writer = Archive::writer();
+  std::vector<Choice> choices{{{1, 2}, 1}, {{1, 2}, 2}};
+  writer(choices);
+  choices.clear();
+  EXPECT_THAT(refusal(writer.bytes(), choices),
+              AllOf(HasSubstr("[1]"), HasSubstr("values that no mission has")));
 }
 
 }  // namespace

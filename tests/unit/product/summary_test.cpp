@@ -167,6 +167,7 @@ TEST(Summary, is_known_again) {
   EXPECT_FALSE(is_summary(""));
   EXPECT_FALSE(is_summary("[1, 2"));
   EXPECT_FALSE(is_summary(R"({"program": "other", "log_sha256": "abc"})"));
+  EXPECT_FALSE(is_summary(R"({"program": "lsos-host", "log_sha256": "abc"})")) << "parts lack";
   EXPECT_FALSE(is_summary(R"({"program": "lsos-host"})"));
 }
 
