@@ -56,8 +56,8 @@ bool is_unfinished(const EventRow& event) {
          event.status == EventStatus::running;
 }
 
-// Of a summary that may come from anyone: a number that text and time can be made of, or another
-// value without parts.
+// A value without parts; a number only where a text and a time can be made of it, as a summary may
+// come from anyone.
 bool is_scalar(const Json& value) {
   constexpr double number_max = 9e12;  // as from_seconds() takes it
   if (value.is_number()) return std::abs(value.get<double>()) <= number_max;

@@ -253,7 +253,7 @@ Instant LogReader::start() const {
   };
   if (!tai_us) fail(fmt::format("has no '{}'", start_key));
   const Instant start{*tai_us.value};
-  // So that calendar times can be told of all moments of the log.
+  // Calendar times can then be told of all moments of the log.
   const Instant first = *parse_utc("1960-01-02").value, last = *parse_utc("2100-12-31").value;
   if (start < first || last < start) {
     fail(fmt::format("has {} = {}: no time between {} and {}", start_key, start.tai_us,

@@ -234,7 +234,7 @@ std::vector<double> Vehicle::joint_positions() const {
 
 void Vehicle::archive(Archive& a) {
   a.tag("vehicle");
-  // Of these the rover's script says how many there are.
+  // The rover's script says how many there are of these.
   const auto counts = [&] {
     std::vector<std::size_t> all{wheels_.size(), steerings_.size(), limb_loads_n_.size()};
     for (const auto& limb : limb_joints_) all.push_back(limb.size());

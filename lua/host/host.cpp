@@ -31,8 +31,7 @@ struct Instance {
 };
 
 constexpr std::string_view state_version = "ev.state 1";
-constexpr std::size_t state_head_bytes_max = 1024;  // what stands before the value
-constexpr std::size_t ending_bytes_max = 1000;      // of the text that on_abort returns
+constexpr std::size_t ending_bytes_max = 1000;  // of the text that on_abort returns
 
 // Marks the phase call as running, for handles and lsos functions.
 class CallScope {
@@ -179,9 +178,6 @@ struct LuaHost::Impl {
   }
 
   static void read_state(lua_State* L, Instance& instance, const std::string& bytes) {
-    if (bytes.size() > state_bytes_max + state_head_bytes_max) {
-      throw Archive::Mismatch("saved ev.state is too long");
-    }
     Archive archive = Archive::reader(bytes);
     archive.tag(state_version)(instance.random);
     lua_rawgeti(L, LUA_REGISTRYINDEX, instance.table);

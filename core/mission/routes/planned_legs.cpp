@@ -22,8 +22,8 @@ std::string bytes_of(auto value) {
   return a.bytes();
 }
 
-// Whether a leg that was kept elsewhere leads from the start that is asked for to the goal, unless it
-// says why not.
+// Whether a leg that was kept elsewhere leads from the start that is asked for to the goal, unless
+// it says why not.
 bool fits(const PlannedLeg& leg, const LegRequest& request) {
   constexpr double near_m = 1;
   if (!leg.is_found()) return !leg.reason.empty();

@@ -26,4 +26,15 @@ void RoverPower::set_capacity_lost(double share) {
   at_start_ = with_energy(at_start_, std::min(at_start_.energy_j, spec_.battery->capacity_j));
 }
 
+bool RoverPower::is_sound() const {
+  const auto is_share = [](double share) { return share >= 0 && share <= 1; };
+  const bool has_source =
+      claims_.plugged_into.empty() ||
+      std::ranges::find(sources_, claims_.plugged_into, &PowerSource::asset_id) != sources_.end();
+  const std::size_t panels = spec_.panels.size();
+  return has_source && panels_lost_.size() == panels && (!sun_ || sun_->panels.size() == panels) &&
+         is_share(capacity_lost_) && is_share(sun_share_) &&
+         std::ranges::all_of(panels_lost_, is_share);
+}
+
 }  // namespace lsos

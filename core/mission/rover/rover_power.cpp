@@ -395,15 +395,4 @@ void RoverPower::archive(Archive& a) {
   }
 }
 
-bool RoverPower::is_sound() const {
-  const auto is_share = [](double share) { return share >= 0 && share <= 1; };
-  const bool has_source =
-      claims_.plugged_into.empty() ||
-      std::ranges::find(sources_, claims_.plugged_into, &PowerSource::asset_id) != sources_.end();
-  const std::size_t panels = spec_.panels.size();
-  return has_source && panels_lost_.size() == panels && (!sun_ || sun_->panels.size() == panels) &&
-         is_share(capacity_lost_) && is_share(sun_share_) &&
-         std::ranges::all_of(panels_lost_, is_share);
-}
-
 }  // namespace lsos

@@ -27,7 +27,7 @@ std::string state_at(const Mission& mission, double time_s) {
   Simulation simulation(mission.setup_);
   simulation.start();
   const SimTime until = from_seconds(time_s);
-  while (simulation.now() < until) simulation.advance(until);
+  while (simulation.now() < until && !simulation.is_finished()) simulation.advance(until);
   return simulation.save();
 }
 
@@ -73,6 +73,7 @@ TEST(ForeignState, is_not_cut_or_lengthened) {
 TEST(ForeignState, is_of_this_mission) {
   Mission other;
   other.rover("A");
+  other.event("Hold", 5);
   EXPECT_NE(refusal(two_rovers(), state_at(other, 1)), "");
   Mission fewer = two_rovers();
   fewer.setup_.plan.events.pop_back();
