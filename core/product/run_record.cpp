@@ -9,6 +9,7 @@
 
 #include "base/files.h"
 #include "base/output_error.h"
+#include "base/stop_signal.h"
 #include "product/overlay.h"
 #include "product/qgis_style.h"
 
@@ -147,6 +148,8 @@ RunRecord::RunRecord(RunFolder& folder, const MissionModel& files, std::int64_t 
 RunSummary RunRecord::finish(const MissionModel& files, const Simulation& simulation, double wall_s,
                              const std::function<void(const std::string&)>& warn,
                              const std::vector<Product>& more, bool can_resume) {
+  const int stopped_before = stop_signal();
+  const Task task("the log is closed, and the summary, the overlay and the report are written");
   log_.finish(can_resume);
   RunSummary summary = summarise(simulation, files, wall_s);
   for (const RoverResult& result : simulation.results()) {
@@ -163,7 +166,10 @@ RunSummary RunRecord::finish(const MissionModel& files, const Simulation& simula
   write_summary(folder_.path(), summary);
   const std::size_t warnings_before = summary.warnings.size();
   const auto make = [&](const Product& product) {
-    const std::string fault = product_error(product, summary);
+    const int stopped_by = stop_signal();
+    const std::string fault = stopped_by == stopped_before
+                                  ? product_error(product, summary)
+                                  : fmt::format("stopped by {}", name_of_signal(stopped_by));
     if (fault.empty()) return;
     summary.warnings.push_back(fmt::format("{} is missing: {}; lsos-host {} {} makes it again",
                                            folder_.file(product.file), fault, product.command,

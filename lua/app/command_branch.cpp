@@ -8,6 +8,7 @@
 
 #include "base/console.h"
 #include "base/files.h"
+#include "base/stop_signal.h"
 #include "interchange/plan_document.h"
 #include "lua/app/branch_measured.h"
 #include "lua/app/branch_moment.h"

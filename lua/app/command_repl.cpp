@@ -10,6 +10,7 @@
 #include <iostream>
 
 #include "base/console.h"
+#include "base/stop_signal.h"
 #include "lua/app/commands.h"
 #include "lua/session/repl.h"
 
@@ -101,7 +102,7 @@ int repl_command(const std::string& plan_file) {
     print_result("{}\n", text);
     flush_results();
   });
-  std::signal(SIGINT, [](int) {
+  catch_signal(SIGINT, [](int) {
     is_interrupted = 1;
     SimSession::interrupt();
   });

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "base/console.h"
+#include "base/stop_signal.h"
 #include "lua/app/commands.h"
 #include "lua/app/common_options.h"
 #include "lua/app/planning_watch.h"

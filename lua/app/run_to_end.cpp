@@ -4,14 +4,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
-#include <csignal>
 #include <cstddef>
 #include <set>
 #include <string>
 
 #include "base/console.h"
+#include "base/stop_signal.h"
 #include "lua/app/progress.h"
 #include "lua/check/run_estimate.h"
 #include "lua/host/cached_routes.h"
@@ -28,13 +27,6 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_between(Clock::time_point from, Clock::time_point to) {
   return std::chrono::duration<double>(to - from).count();
-}
-
-std::atomic<int> stop_signal{0};
-
-void request_stop(int signal) {
-  stop_signal = signal;
-  std::signal(signal, SIG_DFL);  // a second signal ends the program at once
 }
 
 void warn(const std::string& what) { print_message("warning: {}\n", what); }
@@ -99,12 +91,13 @@ int simulate(Simulation& simulation, Checkpoints& checkpoints, bool is_quiet) {
   TimeLeft time_left(simulation.work());
   const Clock::time_point begin = Clock::now();
   Clock::time_point step = begin;
+  const Task task("the step under way ends, and the log is closed");
   int stopped_by = 0;
   while (!simulation.is_finished() && stopped_by == 0) {
-    stopped_by = stop_signal;
+    stopped_by = stop_signal();
     if (stopped_by != 0) {
       checkpoints.stop(simulation);
-      simulation.stop(fmt::format("stopped by {}", stopped_by == SIGINT ? "SIGINT" : "SIGTERM"));
+      simulation.stop(fmt::format("stopped by {}", name_of_signal(stopped_by)));
       continue;
     }
     const double before_s = seconds(simulation.now());
@@ -149,11 +142,6 @@ std::vector<Product> products_of(const MissionUnderWay& mission, const OutcomeOp
 
 }  // namespace
 
-void catch_stop_signals() {
-  std::signal(SIGINT, request_stop);
-  std::signal(SIGTERM, request_stop);
-}
-
 SimulationSetup run_setup(const MissionFiles& files, const OutcomeOptions& options,
                           PlanningWatch& watch) {
   SimulationSetup setup = simulation_setup(files);
@@ -184,7 +172,7 @@ int run_to_end(MissionUnderWay mission, const OutcomeOptions& options) {
     flush_results();
     print_message("stopped: resume with 'lsos-host resume {}'\n", folder);
   }
-  if (stopped_by != 0) return 128 + stopped_by;
+  if (stop_signal() != 0) return 128 + stop_signal();
   return summary.status == RunStatus::completed ? 0 : 1;
 }
 
