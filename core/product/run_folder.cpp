@@ -15,6 +15,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/output_error.h"
+#include "base/whole_file.h"
 #include "product/summary.h"
 #include "record/log.h"
 
