@@ -16,7 +16,7 @@ class RunFolder {
   // Checks that `path` may become the folder of a run and locks it. Missing folders are created;
   // existing files are not touched. Throws InputError with advice when another program writes
   // there, when it holds an unfinished run and `force` is not given, when it holds anything that is
-  // no run of this program, and when it is not writable.
+  // no run of this program, when it is a link, and when it is not writable.
   RunFolder(const std::string& path, bool force);
   // The folder of a run that is to go on. Throws InputError when it holds no run, when another
   // program writes there, and when it is not writable.
@@ -46,6 +46,8 @@ class RunFolder {
   // Removes what was written of a run that failed to begin. The folder then is as it was before
   // `prepare_aside`.
   void discard();
+  // Removes a run that nobody needs, and the folder unless something else lies in it.
+  void clear();
 
  private:
   RunFolder(const std::string& path);
