@@ -1,5 +1,7 @@
 #include "base/files.h"
 
+#include <sys/stat.h>
+
 #include <fstream>
 #include <sstream>
 #include <utility>
@@ -18,6 +20,12 @@ void write_new_file(const std::string& file, std::string_view bytes) {
   WholeFile whole(file);
   whole.write(bytes);
   whole.place();
+}
+
+std::optional<FileIdentity> identity_of(const std::string& file) {
+  struct stat there {};
+  if (::stat(file.c_str(), &there) != 0) return std::nullopt;
+  return FileIdentity{there.st_dev, there.st_ino};
 }
 
 std::optional<std::string> read_file(const std::string& file) {

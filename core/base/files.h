@@ -1,6 +1,7 @@
 // Reading and writing of whole files.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,6 +14,15 @@ namespace lsos {
 void write_file(const std::string& file, std::string_view bytes);
 // The same, but refuses a name that is taken.
 void write_new_file(const std::string& file, std::string_view bytes);
+
+// Which file it is that a name leads to: another one of the same name is not equal.
+struct FileIdentity {
+  std::uint64_t device = 0, number = 0;
+
+  bool operator==(const FileIdentity&) const = default;
+};
+// Absent where there is none.
+std::optional<FileIdentity> identity_of(const std::string& file);
 
 // Absent when it cannot be read.
 std::optional<std::string> read_file(const std::string& file);

@@ -107,14 +107,6 @@ Content content_of(const fs::path& folder) {
   return has_more ? Content::foreign : Content::nothing;
 }
 
-bool can_resume(const fs::path& folder) {
-  try {
-    return !LogReader((folder / "log.gpkg").string()).checkpoints().empty();
-  } catch (const InputError&) {
-    return false;
-  }
-}
-
 void refuse_foreign(const std::string& path, const Content content) {
   if (content != Content::foreign) return;
   throw InputError({path},
@@ -141,6 +133,14 @@ std::string default_run_folder(const std::string& plan_file) {
   return (fs::path("out") / fs::path(plan_file).stem()).string();
 }
 
+bool has_checkpoint(const std::string& folder) {
+  try {
+    return !LogReader(folder + "/log.gpkg").checkpoints().empty();
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
 RunFolder::RunFolder(const std::string& path, bool force) : path_(path) {
   while (path_.size() > 1 && path_.back() == '/') path_.pop_back();
   try {
@@ -157,7 +157,7 @@ RunFolder::RunFolder(const std::string& path, bool force) : path_(path) {
           fmt::format(
               "holds a run that has not finished; {}--force replaces it, -o "
               "names another folder",
-              can_resume(path_) ? "'lsos-host resume " + path_ + "' goes on with it, " : ""));
+              has_checkpoint(path_) ? "'lsos-host resume " + path_ + "' goes on with it, " : ""));
     }
     check_replaceable();
   } catch (const fs::filesystem_error& error) {
@@ -257,11 +257,6 @@ void RunFolder::check_replaceable() {
 }
 
 void RunFolder::prepare() {
-  mark_unfinished();
-  std::ranges::for_each(run_files, [&](const char* name) { remove(name); });
-}
-
-void RunFolder::prepare_aside() {
   was_unfinished_ = content_of(path_) == Content::unfinished_run;
   mark_unfinished();
   const fs::path aside = file(aside_name);
@@ -270,10 +265,12 @@ void RunFolder::prepare_aside() {
     if (is_there(file(name))) fs::rename(file(name), aside / name);
     remove(name);
   }
+  has_run_aside_ = true;
 }
 
 void RunFolder::settle() {
   fs::rename(file(aside_name), file(replaced_name));
+  has_run_aside_ = false;
   remove_replaced();
 }
 
@@ -310,6 +307,9 @@ void RunFolder::reopen() {
 }
 
 void RunFolder::discard() {
+  // What lies outside may be of the earlier run still, and the next RunFolder puts it together.
+  if (!has_run_aside_) return;
+  has_run_aside_ = false;
   std::ranges::for_each(run_files, [&](const char* name) { remove(name); });
   take_back();
   if (was_unfinished_) return;  // the mark stays

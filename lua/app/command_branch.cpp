@@ -239,7 +239,7 @@ int branch_command(const BranchOptions& options) {
 
   // From here on the folder of the branch is written. Until its first checkpoint it cannot be
   // resumed.
-  parts.folder->prepare_aside();
+  parts.folder->prepare();
   try {
     leave_trunk(parts, std::move(leave), options, log, watch);
   } catch (...) {

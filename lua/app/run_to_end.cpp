@@ -154,7 +154,15 @@ SimulationSetup run_setup(const MissionFiles& files, const OutcomeOptions& optio
   return setup;
 }
 
-int run_to_end(MissionUnderWay mission, const OutcomeOptions& options) {
+namespace {
+
+struct EndedRun {
+  int stopped_by = 0;  // a signal, or 0
+  RunSummary summary;
+};
+
+// Simulates to the end and writes the results.
+EndedRun simulate_and_record(const MissionUnderWay& mission, const OutcomeOptions& options) {
   Simulation& simulation = mission.simulation;
   const int stopped_by = simulate(simulation, mission.checkpoints, options.is_quiet);
   for (const Fault& fault : cache_legs(mission.files.plan.file, simulation.cached_legs())) {
@@ -162,9 +170,35 @@ int run_to_end(MissionUnderWay mission, const OutcomeOptions& options) {
   }
   const bool can_resume = stopped_by != 0 && mission.checkpoints.is_on();
   // The report of a stopped run has no pictures, so that the program ends soon.
-  const RunSummary summary =
-      mission.record.finish(mission.files, simulation, mission.checkpoints.wall_s(), warn,
-                            products_of(mission, options, stopped_by == 0), can_resume);
+  return {stopped_by,
+          mission.record.finish(mission.files, simulation, mission.checkpoints.wall_s(), warn,
+                                products_of(mission, options, stopped_by == 0), can_resume)};
+}
+
+std::string with_advice(const std::exception& error, const std::string& folder) {
+  return fmt::format("{}\nwhen the cause is gone, 'lsos-host resume {}' goes on", error.what(),
+                     folder);
+}
+
+// The same; where the disk is full, or the log locked, or a raster gone, the message says how to go
+// on.
+EndedRun run_with_advice(const MissionUnderWay& mission, const OutcomeOptions& options) {
+  try {
+    return simulate_and_record(mission, options);
+  } catch (const OutputError& error) {
+    if (!has_checkpoint(mission.folder.path())) throw;
+    throw OutputError(with_advice(error, mission.folder.path()));
+  } catch (const InputError& error) {
+    if (!has_checkpoint(mission.folder.path())) throw;
+    throw InputError({}, with_advice(error, mission.folder.path()));
+  }
+}
+
+}  // namespace
+
+int run_to_end(MissionUnderWay mission, const OutcomeOptions& options) {
+  const auto [stopped_by, summary] = run_with_advice(mission, options);
+  const bool can_resume = stopped_by != 0 && mission.checkpoints.is_on();
   const std::string& folder = mission.folder.path();
   print_result("{}", options.is_json ? to_json(summary) : to_text(summary));
   if (!options.is_json) print_result("results in {}\n", folder);

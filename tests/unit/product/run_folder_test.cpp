@@ -26,9 +26,16 @@ std::string refusal_of(const std::string& path, bool force = false) {
   }
 }
 
+// Begins a new run in place of an earlier one.
+void begin(RunFolder&& run) {
+  run.prepare();
+  run.settle();
+}
+void begin(RunFolder& run) { begin(std::move(run)); }
+
 void write_finished_run(const std::string& path) {
   RunFolder run(path, false);
-  run.prepare();
+  begin(run);
   write_file(run.file("log.gpkg"), "log");
   write_file(run.file("overlay.kml"), "overlay");
   write_file(run.file("plan.kml"), "plan");
@@ -64,7 +71,7 @@ TEST(RunFolder, replaces_a_finished_run_only_when_told) {
   }
   EXPECT_TRUE(fs::exists(path + "/log.gpkg"));
   RunFolder run(path, false);
-  run.prepare();
+  begin(run);
   for (const char* name : {"log.gpkg", "overlay.kml", "plan.kml", "summary.json"}) {
     EXPECT_FALSE(fs::exists(run.file(name))) << name;
   }
@@ -77,7 +84,7 @@ TEST(RunFolder, gives_an_earlier_run_back_when_the_new_one_fails_to_begin) {
   write_finished_run(path);
   {
     RunFolder run(path, false);
-    run.prepare_aside();
+    run.prepare();
     EXPECT_FALSE(fs::exists(run.file("summary.json")));
     write_file(run.file("log.gpkg"), "new");
     run.discard();
@@ -87,7 +94,7 @@ TEST(RunFolder, gives_an_earlier_run_back_when_the_new_one_fails_to_begin) {
   EXPECT_EQ(refusal_of(path), "not refused") << "the run in it has finished";
   {
     RunFolder run(path, false);
-    run.prepare_aside();
+    run.prepare();
     write_file(run.file("log.gpkg"), "new");
     run.settle();
     write_summary(path, {});
@@ -143,7 +150,7 @@ TEST(RunFolder, removes_a_replaced_run_when_a_kill_came_meanwhile) {
 TEST(RunFolder, refuses_an_unfinished_run_unless_forced) {
   const TestFolder folder;
   const std::string path = folder / "a";
-  { RunFolder(path, false).prepare(); }
+  begin(RunFolder(path, false));
   EXPECT_THAT(refusal_of(path), HasSubstr("a: holds a run that has not finished; --force"));
   EXPECT_THAT(refusal_of(path), HasSubstr("--force")) << "looking changes nothing";
   EXPECT_EQ(refusal_of(path, true), "not refused");
@@ -156,7 +163,7 @@ TEST(RunFolder, knows_an_unfinished_run_by_its_log) {
   { LogWriter(path + "/log.gpkg", moon_crs, test_start()).commit(); }
   EXPECT_THAT(refusal_of(path), HasSubstr("--force"));
   RunFolder run(path, true);
-  run.prepare();
+  begin(run);
   EXPECT_FALSE(fs::exists(path + "/log.gpkg"));
 }
 
@@ -269,21 +276,30 @@ TEST(RunFolder, keeps_out_a_second_writer) {
   {
     RunFolder first(path, false);
     EXPECT_THAT(refusal_of(path), HasSubstr("another lsos-host is writing there"));
-    first.prepare();
+    begin(first);
     EXPECT_THAT(refusal_of(path, true), HasSubstr("another lsos-host is writing there"));
     write_summary(path, {});
   }
   EXPECT_EQ(refusal_of(path), "not refused");
 }
 
+TEST(RunFolder, gives_back_nothing_before_all_was_kept) {
+  const TestFolder folder;
+  const std::string path = folder / "a";
+  write_finished_run(path);
+  RunFolder run(path, false);
+  run.discard();
+  EXPECT_EQ(read_file(path + "/log.gpkg"), "log") << "the earlier run was not moved yet";
+}
+
 TEST(RunFolder, removes_what_a_kill_left_half_written) {
   const TestFolder folder;
   const std::string path = folder / "a";
-  { RunFolder(path, false).prepare(); }
+  begin(RunFolder(path, false));
   write_file(path + "/overlay.kml.part", "half");
   fs::create_directory(path + "/summary.json.part");
   RunFolder run(path, true);
-  run.prepare();
+  begin(run);
   EXPECT_FALSE(fs::exists(path + "/overlay.kml.part"));
   EXPECT_TRUE(fs::exists(path + "/summary.json.part")) << "no file of ours";
 }
