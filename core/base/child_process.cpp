@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -13,6 +14,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/stop_signal.h"
+
 namespace lsos {
 
 namespace {
@@ -21,18 +24,24 @@ namespace {
   throw std::runtime_error(fmt::format("no {}: {}", what, std::strerror(errno)));
 }
 
-// Forks with both signals blocked, so that none reaches the child while a handler of the parent is
+// A child that outlives the program would go on writing what nobody reads.
+void end_with(pid_t parent) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(0);
+}
+
+// Forks with stop signals blocked, so that none reaches the child while a handler of the parent is
 // still installed there and would swallow it.
 pid_t fork_with_default_signals() {
-  sigset_t both, before;
-  sigemptyset(&both);
-  sigaddset(&both, SIGINT);
-  sigaddset(&both, SIGTERM);
-  sigprocmask(SIG_BLOCK, &both, &before);
+  sigset_t blocked, before;
+  sigemptyset(&blocked);
+  for (const int signal : stop_signals) sigaddset(&blocked, signal);
+  sigprocmask(SIG_BLOCK, &blocked, &before);
+  const pid_t parent = getpid();
   const pid_t id = ::fork();
   if (id == 0) {
-    std::signal(SIGINT, SIG_DFL);
-    std::signal(SIGTERM, SIG_DFL);
+    end_with(parent);
+    forget_stop_signals();
   }
   sigprocmask(SIG_SETMASK, &before, nullptr);
   return id;
@@ -49,6 +58,8 @@ bool write_all(int file, std::string_view bytes) {
   }
   return true;
 }
+
+void keep_open(int descriptor) { fcntl(descriptor, F_SETFD, 0); }
 
 void run_program(const std::vector<std::string>& words, int input) {
   setpgid(0, 0);

@@ -21,8 +21,9 @@ class ChildProcess {
     bool is_success() const { return code == 0; }
   };
 
-  // Forks. Returns absent in the child, where `pipe_end` is its end of the pipe (-1: none) and
-  // SIGINT and SIGTERM have their default effect. Throws std::runtime_error.
+  // Forks. Returns absent in the child, where `pipe_end` is its end of the pipe (-1: none) and stop
+  // signals have their default effect, save those that are ignored. The child is killed when this
+  // process ends. Throws std::runtime_error.
   static std::optional<ChildProcess> fork(Pipe pipe, int& pipe_end);
   static std::optional<ChildProcess> fork();  // without a pipe
   ChildProcess(ChildProcess&& other) noexcept;
@@ -50,6 +51,8 @@ class ChildProcess {
 // Writes all bytes to a file descriptor; false when that fails.
 bool write_all(int file, std::string_view bytes);
 
+// In a child: the program that it runs inherits this descriptor.
+void keep_open(int descriptor);
 // In a child: runs a program with `input` as its standard input. In its own process group it does
 // not receive a terminal's Ctrl-C. Ends the process with code 127 when it cannot be run.
 [[noreturn]] void run_program(const std::vector<std::string>& words, int input);

@@ -1,32 +1,31 @@
 #include "base/files.h"
 
-#include <fmt/format.h>
+#include <sys/stat.h>
 
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <fstream>
 #include <sstream>
 #include <utility>
 
-#include "base/error.h"
-#include "base/output_error.h"
+#include "base/whole_file.h"
 
 namespace lsos {
 
 void write_file(const std::string& file, std::string_view bytes) {
-  const std::string part = file + std::string(part_suffix);
-  errno = 0;
-  std::ofstream out(part, std::ios::binary | std::ios::trunc);
-  out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  out.close();
-  if (out && std::rename(part.c_str(), file.c_str()) == 0) return;
-  const std::string why = errno == 0 ? "cannot be written" : std::strerror(errno);
-  const bool is_place_wrong = errno == EACCES || errno == EPERM || errno == EROFS ||
-                              errno == ENOENT || errno == ENOTDIR || errno == EISDIR;
-  std::remove(part.c_str());
-  if (is_place_wrong) throw InputError({}, fmt::format("{}: {}", file, why));
-  throw OutputError(fmt::format("{}: {}", file, why));
+  WholeFile whole(file);
+  whole.write(bytes);
+  whole.replace();
+}
+
+void write_new_file(const std::string& file, std::string_view bytes) {
+  WholeFile whole(file);
+  whole.write(bytes);
+  whole.place();
+}
+
+std::optional<FileIdentity> identity_of(const std::string& file) {
+  struct stat there {};
+  if (::stat(file.c_str(), &there) != 0) return std::nullopt;
+  return FileIdentity{there.st_dev, there.st_ino};
 }
 
 std::optional<std::string> read_file(const std::string& file) {

@@ -1,19 +1,28 @@
 // Reading and writing of whole files.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 
 namespace lsos {
 
-// Suffix of a file's name until it is complete.
-inline constexpr std::string_view part_suffix = ".part";
-
-// Writes under another name first, then renames: a reader finds the old file or the new one, never
-// half of one. Throws InputError where the place cannot be written to, otherwise OutputError with
-// the reason, e.g. a full disk.
+// Writes a WholeFile, which see: a reader finds the old file or the new one, never half of one, and
+// a link is replaced, not followed. Throws InputError where the place cannot be written to,
+// otherwise OutputError with the reason, e.g. a full disk.
 void write_file(const std::string& file, std::string_view bytes);
+// The same, but refuses a name that is taken.
+void write_new_file(const std::string& file, std::string_view bytes);
+
+// Which file it is that a name leads to: another one of the same name is not equal.
+struct FileIdentity {
+  std::uint64_t device = 0, number = 0;
+
+  bool operator==(const FileIdentity&) const = default;
+};
+// Absent where there is none.
+std::optional<FileIdentity> identity_of(const std::string& file);
 
 // Absent when it cannot be read.
 std::optional<std::string> read_file(const std::string& file);

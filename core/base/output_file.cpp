@@ -37,6 +37,27 @@ void check_output(const std::string& option, const std::string& file,
   }
 }
 
+void check_free(const std::string& option, const std::string& file, const std::string& advice,
+                Faults& faults) {
+  std::error_code absent;
+  if (file.empty() || !fs::exists(fs::symlink_status(file, absent))) return;
+  faults.error({}, fmt::format("{} {}: is there already; {}", option, file, advice));
+}
+
+void refuse_links(const std::string& folder, const std::string& name) {
+  fs::path path = folder;
+  for (const fs::path& part : fs::path(name)) {
+    path /= part;
+    std::error_code unreadable;
+    if (!fs::is_symlink(path, unreadable)) continue;
+    const std::string target = fs::read_symlink(path, unreadable);
+    throw InputError({path.string()},
+                     fmt::format("is a link, to {}: nothing is written through it; remove it, or "
+                                 "name a folder",
+                                 target));
+  }
+}
+
 void check_replaceable(const std::string& file, std::string_view mark) {
   std::error_code absent;
   if (!fs::exists(file, absent)) return;

@@ -1,6 +1,5 @@
 #include "interchange/table_writer.h"
 
-#include <cpl_vsi.h>
 #include <fmt/format.h>
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
@@ -9,6 +8,7 @@
 #include <memory>
 
 #include "access/gdal_access.h"
+#include "access/memory_file.h"
 #include "base/csv.h"
 #include "base/error.h"
 #include "base/output_error.h"
@@ -74,29 +74,24 @@ OGRwkbGeometryType geometry_of(const Table& table) {
 class TableWriter {
  public:
   TableWriter(const std::string& ending, const Body& body, const std::string& file)
-      : ending_(ending), file_(file), path_("/vsimem/lsos_export/plan" + ending) {
-    VSIMkdirRecursive("/vsimem/lsos_export", 0700);
+      : ending_(ending), file_(file), made_("plan" + ending) {
     crs_.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
     if (crs_.SetFromUserInput(std::string(body.crs).c_str()) != OGRERR_NONE) {
       refuse("PROJ does not know " + std::string(body.crs));
     }
   }
-  ~TableWriter() { VSIRmdirRecursive("/vsimem/lsos_export"); }
-  TableWriter(const TableWriter&) = delete;
-  TableWriter& operator=(const TableWriter&) = delete;
 
   std::string write(const std::vector<Table>& tables) {
     register_drivers();
     GDALDriver* driver = GetGDALDriverManager()->GetDriverByName(driver_of(ending_));
     if (driver == nullptr) refuse(fmt::format("GDAL has no driver {}", driver_of(ending_)));
-    Dataset dataset(driver->Create(path_.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+    Dataset dataset(driver->Create(made_.name().c_str(), 0, 0, 0, GDT_Unknown, nullptr));
     if (dataset == nullptr) refuse(GdalSilence::message());
     for (const Table& table : tables) add(table, *dataset);
     dataset.reset();
-    vsi_l_offset size = 0;
-    const GByte* bytes = VSIGetMemFileBuffer(path_.c_str(), &size, false);
-    if (bytes == nullptr || size == 0) refuse(GdalSilence::message());
-    return {reinterpret_cast<const char*>(bytes), size};
+    const std::string_view bytes = made_.bytes();
+    if (bytes.empty()) refuse(GdalSilence::message());
+    return std::string(bytes);
   }
 
  private:
@@ -154,7 +149,8 @@ class TableWriter {
     return ending_ == ".ods" ? guarded_in_ods(text) : text;
   }
 
-  std::string ending_, file_, path_;
+  std::string ending_, file_;
+  MemoryFile made_;
   OGRSpatialReference crs_;
 };
 

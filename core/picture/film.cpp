@@ -3,16 +3,12 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cerrno>
-#include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <sstream>
 #include <string_view>
 #include <utility>
 
 #include "base/error.h"
-#include "base/files.h"
 #include "base/output_error.h"
 
 namespace lsos {
@@ -33,46 +29,50 @@ std::string ffmpeg() {
 
 }  // namespace
 
-Film::Film(const std::string& file, int width_px, int height_px)
-    : file_(file), part_(file + std::string(part_suffix)) {
-  const std::vector<std::string> words{ffmpeg(),       "-loglevel",
-                                       "error",        "-y",
-                                       "-f",           "rawvideo",
-                                       "-pix_fmt",     "rgb24",
-                                       "-video_size",  fmt::format("{}x{}", width_px, height_px),
-                                       "-framerate",   std::to_string(film_frames_per_s),
-                                       "-i",           "-",
-                                       "-pix_fmt",     "yuv420p",
-                                       "-movflags",    "+faststart",
-                                       "-f",           "mp4",
-                                       "file:" + part_};
+Film::Film(const std::string& file, int width_px, int height_px) : name_(file), file_(file) {
+  const std::vector<std::string> words{ffmpeg(),
+                                       "-loglevel",
+                                       "error",
+                                       "-y",
+                                       "-f",
+                                       "rawvideo",
+                                       "-pix_fmt",
+                                       "rgb24",
+                                       "-video_size",
+                                       fmt::format("{}x{}", width_px, height_px),
+                                       "-framerate",
+                                       std::to_string(film_frames_per_s),
+                                       "-i",
+                                       "-",
+                                       "-pix_fmt",
+                                       "yuv420p",
+                                       "-movflags",
+                                       "+faststart",
+                                       "-f",
+                                       "mp4",
+                                       "file:" + file_.open_name()};
   int pictures = -1;
   std::optional<ChildProcess> process = ChildProcess::fork(ChildProcess::Pipe::to_child, pictures);
-  if (!process) run_program(words, pictures);
+  if (!process) {
+    keep_open(file_.descriptor());
+    run_program(words, pictures);
+  }
   ffmpeg_.emplace(std::move(*process));
-}
-
-Film::~Film() {
-  if (!ffmpeg_) return;
-  ffmpeg_.reset();
-  std::remove(part_.c_str());
 }
 
 void Film::add(std::span<const std::uint8_t> rgb) {
   const std::string_view bytes(reinterpret_cast<const char*>(rgb.data()), rgb.size());
-  if (!ffmpeg_->write(bytes)) throw OutputError(fmt::format("{}: ffmpeg has ended", file_));
+  if (!ffmpeg_->write(bytes)) throw OutputError(fmt::format("{}: ffmpeg has ended", name_));
 }
 
 void Film::finish() {
   const ChildProcess::Ending ending = ffmpeg_->wait();
   ffmpeg_.reset();
-  if (ending.is_success() && std::rename(part_.c_str(), file_.c_str()) == 0) return;
-  const std::string why =
-      ending.is_success()
-          ? std::strerror(errno)
-          : fmt::format("ffmpeg's code {}", ending.code.value_or(128 + *ending.signal));
-  std::remove(part_.c_str());
-  throw OutputError(fmt::format("{}: cannot be made: {}", file_, why));
+  if (!ending.is_success()) {
+    throw OutputError(fmt::format("{}: cannot be made: ffmpeg's code {}", name_,
+                                  ending.code.value_or(128 + *ending.signal)));
+  }
+  file_.replace();
 }
 
 }  // namespace lsos

@@ -8,17 +8,17 @@
 #include <vector>
 
 #include "base/child_process.h"
+#include "base/whole_file.h"
 
 namespace lsos {
 
 inline constexpr int film_frames_per_s = 25;
 
-// Written under another name and renamed when complete; the destructor removes an incomplete film.
+// A WholeFile, which see: an incomplete film is never seen.
 class Film {
  public:
   // Begins an MP4. Throws InputError, with advice, when ffmpeg is not installed.
   Film(const std::string& file, int width_px, int height_px);
-  ~Film();
   Film(const Film&) = delete;
   Film& operator=(const Film&) = delete;
 
@@ -28,8 +28,9 @@ class Film {
   void finish();
 
  private:
-  std::string file_, part_;
-  std::optional<ChildProcess> ffmpeg_;  // absent once it has ended
+  std::string name_;
+  WholeFile file_;
+  std::optional<ChildProcess> ffmpeg_;  // absent once it has ended; killed before the file goes
 };
 
 }  // namespace lsos

@@ -5,12 +5,12 @@
 #include <ogrsf_frmts.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 
-#include "access/file_access.h"
 #include "access/gdal_access.h"
+#include "access/memory_file.h"
 #include "base/error.h"
+#include "base/files.h"
 #include "base/qgis_style_table.h"
 #include "terrain/raster/gdal_call.h"
 
@@ -92,9 +92,7 @@ void write_form_layers(const std::string& file, const Body& body,
                        const std::vector<FormLayer>& layers) {
   const GdalSilence silence;
   const auto refuse = [&](const std::string& why) { throw InputError({file, 0}, why); };
-  if (std::filesystem::exists(file)) refuse("is there already; it is not replaced");
   register_drivers();
-  allow_file(file);
   GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GPKG");
   OGRSpatialReference crs;
   crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
@@ -102,7 +100,8 @@ void write_form_layers(const std::string& file, const Body& body,
     refuse("cannot be made: GDAL has no GeoPackages, or PROJ does not know " +
            std::string(body.crs));
   }
-  const Dataset dataset(driver->Create(file.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+  const MemoryFile made("plan.gpkg");
+  Dataset dataset(driver->Create(made.name().c_str(), 0, 0, 0, GDT_Unknown, nullptr));
   if (dataset == nullptr) refuse("cannot be made: " + GdalSilence::message());
   for (const FormLayer& layer : layers) {
     if (!add_layer(*dataset, crs, layer)) refuse("cannot be written: " + GdalSilence::message());
@@ -113,6 +112,9 @@ void write_form_layers(const std::string& file, const Body& body,
   run_sql(*dataset,
           "UPDATE gpkg_spatial_ref_sys SET definition = replace(definition, "
           "'AUTHORITY[\"IAU\"', 'AUTHORITY[\"IAU_2015\"')");
+  dataset.reset();
+  if (made.bytes().empty()) refuse("cannot be made: " + GdalSilence::message());
+  write_new_file(file, made.bytes());
 }
 
 }  // namespace lsos

@@ -15,6 +15,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/output_error.h"
+#include "base/whole_file.h"
 #include "product/summary.h"
 #include "record/log.h"
 
@@ -26,12 +27,13 @@ namespace {
 
 // The summary is removed first: without it a run is unfinished, whatever other files remain. The
 // log is moved last, see take_back().
-constexpr std::array run_files{"summary.json", "overlay.kml",   "overlay.kmz",  "report.html",
-                               "report.png",   "plan.kml",      "mission.qgz",  "hillshade.tif",
-                               "days.csv",     "estimate.json", "log.gpkg-wal", "log.gpkg-shm",
-                               "log.gpkg"};
+constexpr std::array run_files{"summary.json",     "overlay.kml",   "overlay.kmz",  "report.html",
+                               "report.png",       "plan.kml",      "mission.qgz",  "hillshade.tif",
+                               "days.csv",         "estimate.json", "log.gpkg-wal", "log.gpkg-shm",
+                               "log.gpkg-journal", "log.gpkg"};
 // What a run that goes on needs.
-constexpr std::array kept_files{"plan.kml", "log.gpkg", "log.gpkg-wal", "log.gpkg-shm"};
+constexpr std::array kept_files{"plan.kml", "log.gpkg", "log.gpkg-wal", "log.gpkg-shm",
+                                "log.gpkg-journal"};
 
 // Empty while a folder is being checked; contains `run_mark` from `prepare` on.
 constexpr const char* lock_name = ".lsos-host.lock";
@@ -56,6 +58,24 @@ bool is_plain_file(const fs::path& file) {
   return fs::is_regular_file(fs::symlink_status(file, error));
 }
 
+// A lock file is written into, so it must be this program's and have no second name.
+bool is_lock_file(const fs::path& file) {
+  std::error_code error;
+  if (!is_plain_file(file) || fs::hard_link_count(file, error) != 1) return false;
+  const auto bytes = fs::file_size(file, error);
+  return bytes == 0 || (bytes == run_mark.size() && read_file(file.string()) == run_mark);
+}
+
+// A folder within that holds nothing but files of a run.
+bool is_folder_of_files(const fs::path& folder) {
+  std::error_code error;
+  if (!fs::is_directory(fs::symlink_status(folder, error))) return false;
+  return std::ranges::all_of(fs::directory_iterator(folder), [](const fs::directory_entry& entry) {
+    const std::string name = entry.path().filename();
+    return is_plain_file(entry.path()) && std::ranges::count(run_files, std::string_view(name)) > 0;
+  });
+}
+
 bool is_log(const fs::path& file) {
   try {
     const LogReader log(file.string());
@@ -70,7 +90,10 @@ Content content_of(const fs::path& folder) {
     if (is_there(folder / name) && !is_plain_file(folder / name)) return Content::foreign;
   }
   const fs::path lock_file = folder / lock_name;
-  if (is_there(lock_file) && !is_plain_file(lock_file)) return Content::foreign;
+  if (is_there(lock_file) && !is_lock_file(lock_file)) return Content::foreign;
+  for (const char* name : {aside_name, replaced_name}) {
+    if (is_there(folder / name) && !is_folder_of_files(folder / name)) return Content::foreign;
+  }
 
   if (is_summary(read_file((folder / "summary.json").string()).value_or(""))) {
     return Content::finished_run;
@@ -82,14 +105,6 @@ Content content_of(const fs::path& folder) {
         return std::ranges::count(own_names, entry.path().filename()) == 0;
       });
   return has_more ? Content::foreign : Content::nothing;
-}
-
-bool can_resume(const fs::path& folder) {
-  try {
-    return !LogReader((folder / "log.gpkg").string()).checkpoints().empty();
-  } catch (const InputError&) {
-    return false;
-  }
 }
 
 void refuse_foreign(const std::string& path, const Content content) {
@@ -118,6 +133,14 @@ std::string default_run_folder(const std::string& plan_file) {
   return (fs::path("out") / fs::path(plan_file).stem()).string();
 }
 
+bool has_checkpoint(const std::string& folder) {
+  try {
+    return !LogReader(folder + "/log.gpkg").checkpoints().empty();
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
 RunFolder::RunFolder(const std::string& path, bool force) : path_(path) {
   while (path_.size() > 1 && path_.back() == '/') path_.pop_back();
   try {
@@ -134,7 +157,7 @@ RunFolder::RunFolder(const std::string& path, bool force) : path_(path) {
           fmt::format(
               "holds a run that has not finished; {}--force replaces it, -o "
               "names another folder",
-              can_resume(path_) ? "'lsos-host resume " + path_ + "' goes on with it, " : ""));
+              has_checkpoint(path_) ? "'lsos-host resume " + path_ + "' goes on with it, " : ""));
     }
     check_replaceable();
   } catch (const fs::filesystem_error& error) {
@@ -176,6 +199,11 @@ RunFolder::RunFolder(const std::string& path) : path_(path) {
 RunFolder::~RunFolder() { release(); }
 
 void RunFolder::make_folders() {
+  if (std::error_code unreadable; fs::is_symlink(path_, unreadable)) {
+    throw InputError({path_}, fmt::format("is a link, to {}: nothing is written through it; name "
+                                          "that folder, or another, with -o",
+                                          fs::read_symlink(path_, unreadable).string()));
+  }
   if (is_there(path_) && !fs::is_directory(path_)) {
     throw InputError({path_}, "is a file, not a folder; name another folder with -o");
   }
@@ -229,11 +257,6 @@ void RunFolder::check_replaceable() {
 }
 
 void RunFolder::prepare() {
-  mark_unfinished();
-  std::ranges::for_each(run_files, [&](const char* name) { remove(name); });
-}
-
-void RunFolder::prepare_aside() {
   was_unfinished_ = content_of(path_) == Content::unfinished_run;
   mark_unfinished();
   const fs::path aside = file(aside_name);
@@ -242,16 +265,18 @@ void RunFolder::prepare_aside() {
     if (is_there(file(name))) fs::rename(file(name), aside / name);
     remove(name);
   }
+  has_run_aside_ = true;
 }
 
 void RunFolder::settle() {
   fs::rename(file(aside_name), file(replaced_name));
+  has_run_aside_ = false;
   remove_replaced();
 }
 
 void RunFolder::remove_replaced() {
   const fs::path replaced = file(replaced_name);
-  if (!fs::is_directory(fs::symlink_status(replaced))) return;
+  if (!is_folder_of_files(replaced)) return;
   for (const char* name : run_files) fs::remove(replaced / name);
   std::error_code ignored;
   fs::remove(replaced, ignored);  // fails where somebody else has put something there
@@ -262,10 +287,9 @@ void RunFolder::remove_replaced() {
 void RunFolder::take_back() {
   remove_replaced();
   const fs::path aside = file(aside_name);
-  if (!fs::is_directory(fs::symlink_status(aside))) return;
+  if (!is_folder_of_files(aside)) return;
   if (is_plain_file(aside / "log.gpkg")) {
-    remove("log.gpkg-wal");
-    remove("log.gpkg-shm");
+    for (const char* name : {"log.gpkg-wal", "log.gpkg-shm", "log.gpkg-journal"}) remove(name);
     fs::rename(aside / "log.gpkg", file("log.gpkg"));
   }
   for (const char* name : run_files) {
@@ -283,6 +307,9 @@ void RunFolder::reopen() {
 }
 
 void RunFolder::discard() {
+  // What lies outside may be of the earlier run still, and the next RunFolder puts it together.
+  if (!has_run_aside_) return;
+  has_run_aside_ = false;
   std::ranges::for_each(run_files, [&](const char* name) { remove(name); });
   take_back();
   if (was_unfinished_) return;  // the mark stays
@@ -303,11 +330,20 @@ void RunFolder::mark_unfinished() {
   is_prepared_ = true;
 }
 
+void RunFolder::clear() {
+  std::ranges::for_each(run_files, [&](const char* name) { remove(name); });
+  is_prepared_ = false;
+  has_made_lock_file_ = true;
+  made_folders_ = {path_};
+  release();
+}
+
 void RunFolder::remove(const char* name) {
-  for (const std::string& old : {file(name), file(name) + std::string(part_suffix)}) {
-    if (::unlink(old.c_str()) != 0 && errno != ENOENT) {
-      throw OutputError(fmt::format("{}: cannot be removed: {}", old, std::strerror(errno)));
-    }
+  // Left by a kill where the file system has no files without names.
+  const std::string part = file(name) + std::string(part_suffix);
+  if (is_plain_file(part)) ::unlink(part.c_str());
+  if (::unlink(file(name).c_str()) != 0 && errno != ENOENT) {
+    throw OutputError(fmt::format("{}: cannot be removed: {}", file(name), std::strerror(errno)));
   }
 }
 

@@ -10,13 +10,16 @@ namespace lsos {
 // "out/PLAN-NAME" for "some/where/PLAN-NAME.kml".
 std::string default_run_folder(const std::string& plan_file);
 
+// Whether its log has a checkpoint, from which a run that has not finished can go on.
+bool has_checkpoint(const std::string& folder);
+
 // Locks the folder against other writers until destroyed.
 class RunFolder {
  public:
   // Checks that `path` may become the folder of a run and locks it. Missing folders are created;
   // existing files are not touched. Throws InputError with advice when another program writes
   // there, when it holds an unfinished run and `force` is not given, when it holds anything that is
-  // no run of this program, and when it is not writable.
+  // no run of this program, when it is a link, and when it is not writable.
   RunFolder(const std::string& path, bool force);
   // The folder of a run that is to go on. Throws InputError when it holds no run, when another
   // program writes there, and when it is not writable.
@@ -30,22 +33,22 @@ class RunFolder {
   // The path of a file in the folder.
   std::string file(const std::string& name) const { return path_ + "/" + name; }
 
-  // Removes the files of an earlier run; other files stay. From now on the folder holds an
-  // unfinished run until it has a summary. To be called only when the plan has passed its checks,
-  // right before the log is created. Throws OutputError when a file cannot be removed.
+  // Moves the files of an earlier run into a folder within; other files stay. From now on the
+  // folder holds an unfinished run until it has a summary. To be called only when the plan has
+  // passed its checks, right before the log is created. Throws OutputError. The earlier run is kept
+  // until `settle` removes it, or `discard` puts it back; after a kill in between the next
+  // RunFolder does.
   void prepare();
-  // As `prepare`, but the files of the earlier run are kept in a folder within, until `settle`
-  // removes them or `discard` puts them back; after a kill in between the next RunFolder does. To
-  // be called when the new run may still fail to begin.
-  void prepare_aside();
-  // Removes the files that were kept aside.
+  // Removes the earlier run: the new one has begun.
   void settle();
   // Removes what was made of the run's log, and keeps the log and the plan. From now on the run is
   // unfinished. To be called when the run can go on. Throws OutputError.
   void reopen();
   // Removes what was written of a run that failed to begin. The folder then is as it was before
-  // `prepare_aside`.
+  // `prepare`.
   void discard();
+  // Removes a run that nobody needs, and the folder unless something else lies in it.
+  void clear();
 
  private:
   RunFolder(const std::string& path);
@@ -65,7 +68,8 @@ class RunFolder {
   int lock_ = -1;                          // file descriptor
   bool has_made_lock_file_ = false;
   bool is_prepared_ = false;
-  bool was_unfinished_ = false;  // the earlier run, before `prepare_aside`
+  bool has_run_aside_ = false;   // from `prepare` on, until the new run has begun or failed to
+  bool was_unfinished_ = false;  // the earlier run, before `prepare`
 };
 
 }  // namespace lsos

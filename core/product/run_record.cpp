@@ -9,6 +9,7 @@
 
 #include "base/files.h"
 #include "base/output_error.h"
+#include "base/stop_signal.h"
 #include "product/overlay.h"
 #include "product/qgis_style.h"
 
@@ -87,6 +88,13 @@ RunSummary summarise(const Simulation& simulation, const MissionModel& files, do
   return summary;
 }
 
+void add_facts_of_log(const std::string& file, RunSummary& summary) {
+  const LogReader log(file);
+  summary.log_sha256 = log.sha256();
+  summary.branch = log.branch();
+  summary.days = days_of_long_run(log);
+}
+
 // Prepares the folder and returns the name of the log, which must not exist yet.
 std::string prepare_log_file(RunFolder& folder, const std::string& plan_bytes) {
   folder.prepare();
@@ -124,7 +132,8 @@ void rewrite_summary(const std::string& run_dir, const RunSummary& summary) {
 }  // namespace
 
 RunRecord::RunRecord(RunFolder& folder, const std::string& plan_bytes, const MissionModel& files,
-                     const std::map<std::string, std::string>& run_values, Simulation& simulation)
+                     const std::map<std::string, std::string>& run_values,
+                     Simulation& simulation) try
     : folder_(folder),
       log_(prepare_log_file(folder, plan_bytes), std::string(files.plan.mission.planet->crs),
            files.plan.mission.start_time) {
@@ -137,7 +146,11 @@ RunRecord::RunRecord(RunFolder& folder, const std::string& plan_bytes, const Mis
   }
   log_.write_styles(styles);
   log_.commit();
+  folder.settle();
   simulation.set_log(&log_);
+} catch (...) {
+  // The log is closed by now. An earlier run is put back, as where the disk is full.
+  folder.discard();
 }
 
 RunRecord::RunRecord(RunFolder& folder, const MissionModel& files, std::int64_t checkpoint_id,
@@ -149,7 +162,8 @@ RunRecord::RunRecord(RunFolder& folder, const MissionModel& files, std::int64_t 
 RunSummary RunRecord::finish(const MissionModel& files, const Simulation& simulation, double wall_s,
                              const std::function<void(const std::string&)>& warn,
                              const std::vector<Product>& more, bool can_resume) {
-  log_.finish(can_resume);
+  const int stopped_before = stop_signal();
+  const Task task("the log is closed, and the summary, the overlay and the report are written");
   RunSummary summary = summarise(simulation, files, wall_s);
   for (const RoverResult& result : simulation.results()) {
     for (const std::string& warning : {slip_warning(result), slowness_warning(result)}) {
@@ -158,14 +172,24 @@ RunSummary RunRecord::finish(const MissionModel& files, const Simulation& simula
       warn(warning);
     }
   }
-  const LogReader log(folder_.file("log.gpkg"));
-  summary.log_sha256 = log.sha256();
-  summary.branch = log.branch();
-  summary.days = days_of_long_run(log);
+  // Checkpoints go only once the summary is there: a kill or a full disk before leaves a run that
+  // can go on.
+  log_.commit();
+  add_facts_of_log(folder_.file("log.gpkg"), summary);
   write_summary(folder_.path(), summary);
   const std::size_t warnings_before = summary.warnings.size();
+  try {
+    log_.finish(can_resume);
+  } catch (const LogError& error) {
+    // All rows are committed: only the log's write-ahead log or its checkpoints stay.
+    summary.warnings.emplace_back(error.what());
+    warn(summary.warnings.back());
+  }
   const auto make = [&](const Product& product) {
-    const std::string fault = product_error(product, summary);
+    const int stopped_by = stop_signal();
+    const std::string fault = stopped_by == stopped_before
+                                  ? product_error(product, summary)
+                                  : fmt::format("stopped by {}", name_of_signal(stopped_by));
     if (fault.empty()) return;
     summary.warnings.push_back(fmt::format("{} is missing: {}; lsos-host {} {} makes it again",
                                            folder_.file(product.file), fault, product.command,

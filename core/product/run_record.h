@@ -36,7 +36,8 @@ class RunRecord {
   // Ends the log after the simulation has been terminated and writes the summary, which marks the
   // run as finished; then writes overlay.kml and `more`. For a product that cannot be made, `warn`
   // is called with what is missing and the command that makes it again; the summary's warnings
-  // include this too. `can_resume`: the run was stopped, and its checkpoints stay.
+  // include this too; a signal that comes meanwhile has the same effect on those that are left.
+  // `can_resume`: the run was stopped, and its checkpoints stay.
   RunSummary finish(const MissionModel& files, const Simulation& simulation, double wall_s,
                     const std::function<void(const std::string&)>& warn,
                     const std::vector<Product>& more = {}, bool can_resume = false);

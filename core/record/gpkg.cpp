@@ -3,9 +3,13 @@
 #include <cpl_conv.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <iterator>
+#include <string_view>
+#include <utility>
 
 #include "access/file_access.h"
 #include "access/gdal_access.h"
@@ -22,8 +26,33 @@ void QuietErrors::handle(CPLErr severity, CPLErrorNum, const char* text) {
   if (severity >= CE_Failure && self->message_.empty()) self->message_ = text;
 }
 
+namespace {
+
+// GDAL puts the whole statement into its messages; what failed stands at the end.
+std::string without_statement(const std::string& message) {
+  for (const std::string_view mark : {") failed: ", "):\n  "}) {
+    const std::size_t at = message.rfind(mark);
+    if (at != std::string::npos) return message.substr(at + mark.size());
+  }
+  return message;
+}
+
+// SQLite's reasons that a user can do something about, in plain words.
+constexpr std::pair<std::string_view, std::string_view> plain_words[]{
+    {"database or disk is full", "no space is left on the disk"},
+    {"disk I/O error", "the disk reports an error, or a limit of file sizes is reached"},
+    {"database is locked", "another program has kept it locked for half a minute"},
+    {"attempt to write a readonly database", "it may be read only"},
+    {"database disk image is malformed", "it is damaged: another program has written into it"}};
+
+}  // namespace
+
 std::string QuietErrors::message() const {
-  return message_.empty() ? "the GeoPackage driver gives no reason" : message_;
+  if (message_.empty()) return "the GeoPackage driver gives no reason";
+  const std::string reason = without_statement(message_);
+  const auto* const known =
+      std::ranges::find(plain_words, reason, [](const auto& entry) { return entry.first; });
+  return known == std::end(plain_words) ? reason : std::string(known->second);
 }
 
 namespace {
@@ -67,6 +96,8 @@ OGRwkbGeometryType geometry_type(LayerGeometry geometry) {
 struct WriteAheadLog {
   CPLConfigOptionSetter journal{"OGR_SQLITE_JOURNAL", "WAL", false};
   CPLConfigOptionSetter synchronous{"OGR_SQLITE_SYNCHRONOUS", "NORMAL", false};
+  // A GIS that saves edits locks the file for some seconds.
+  CPLConfigOptionSetter patience{"SQLITE_BUSY_TIMEOUT", "30000", false};  // ms
 };
 
 constexpr int zone_utc = 100;  // GDAL's number of the time zone

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "base/files.h"
 #include "base/qgis_style_table.h"
 #include "record/checkpoint_table.h"
 #include "record/gpkg.h"
@@ -69,6 +70,7 @@ struct LogWriter::Impl {
   Instant start;
   // Declared before the layers' features, which need its column definitions until destroyed.
   gpkg::Dataset dataset;
+  std::optional<FileIdentity> identity;  // of the file that the dataset writes
   RowLayer<SampleRow> samples;
   RowLayer<JointRow> joints;
   RowLayer<PanelRow> panels;
@@ -204,7 +206,16 @@ struct LogWriter::Impl {
     in_transaction = true;
   }
 
+  // SQLite would go on writing into a file that nobody finds again.
+  void check_is_there() {
+    if (dataset == nullptr || identity_of(file) == identity) return;
+    abandon();
+    throw LogError(fmt::format(
+        "{}: is gone: another program has removed, moved or replaced it during the run", file));
+  }
+
   void commit() {
+    check_is_there();
     attempt("writing", [&] {
       return samples.sync() && events.sync() && planned_paths.sync() && notes.sync() &&
              dataset->CommitTransaction() == OGRERR_NONE;
@@ -257,6 +268,7 @@ LogWriter::LogWriter(const std::string& file, const std::string& crs, Instant st
       throw LogError(fmt::format("{}: making the log: {}", file, errors.message()));
     }
   }
+  impl_->identity = identity_of(file);
   impl_->begin();
   impl_->create_layers(crs);
   impl_->put_run({std::string(start_key), fmt::format("{}", start.tai_us)});
@@ -281,6 +293,7 @@ LogWriter::LogWriter(const std::string& file, Instant start, std::int64_t checkp
       throw LogError(fmt::format("{}: opening the log: {}", file, errors.message()));
     }
   }
+  impl_->identity = identity_of(file);
   impl_->open_layers();
   impl_->begin();
   impl_->trim(last_fids);

@@ -7,6 +7,7 @@
 
 #include "base/console.h"
 #include "base/files.h"
+#include "base/stop_signal.h"
 #include "interchange/plan_document.h"
 #include "lua/app/branch_measured.h"
 #include "lua/app/branch_moment.h"
@@ -237,7 +238,7 @@ int branch_command(const BranchOptions& options) {
 
   // From here on the folder of the branch is written. Until its first checkpoint it cannot be
   // resumed.
-  parts.folder->prepare_aside();
+  parts.folder->prepare();
   try {
     leave_trunk(parts, std::move(leave), options, log, watch);
   } catch (...) {

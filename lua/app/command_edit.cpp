@@ -2,8 +2,6 @@
 // stays as it was.
 #include <fmt/format.h>
 
-#include <filesystem>
-
 #include "base/console.h"
 #include "base/files.h"
 #include "base/output_file.h"
@@ -19,10 +17,7 @@ namespace {
 void check_new_file(const EditOptions& options) {
   Faults faults;
   check_output("-o", options.output, {".kml", ".kmz"}, {}, faults);
-  std::error_code absent;
-  if (std::filesystem::exists(options.output, absent) && !options.is_forced) {
-    faults.error({}, fmt::format("-o {}: is there already; --force replaces it", options.output));
-  }
+  if (!options.is_forced) check_free("-o", options.output, "--force replaces it", faults);
   faults.throw_if_errors();
 }
 

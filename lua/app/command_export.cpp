@@ -39,10 +39,7 @@ int export_command(const ExportOptions& options) {
   Faults faults;
   check_output("-o", options.output, {".csv", ".xlsx", ".ods", ".geojson", ".gpkg", ".txt"},
                {options.plan}, faults);
-  std::error_code absent;
-  if (!options.replaces && std::filesystem::exists(options.output, absent)) {
-    faults.error({}, fmt::format("-o {}: is there already; --force replaces it", options.output));
-  }
+  if (!options.replaces) check_free("-o", options.output, "--force replaces it", faults);
   faults.throw_if_errors();
   const std::shared_ptr<const Catalog> catalog = read_catalog(options.plan);
   const Declarations& declarations = catalog->declarations();

@@ -34,10 +34,7 @@ struct ImportOptions {
 void check_options(const ImportOptions& options) {
   Faults faults;
   check_output("-o", options.output, {".kml", ".kmz"}, options.files, faults);
-  std::error_code absent;
-  if (!options.replaces && std::filesystem::exists(options.output, absent)) {
-    faults.error({}, fmt::format("-o {}: is there already; --force replaces it", options.output));
-  }
+  if (!options.replaces) check_free("-o", options.output, "--force replaces it", faults);
   if (options.removes_missing && options.onto.empty()) {
     faults.error({}, "--remove-missing: is for --onto PLAN.kml, whose Placemarks it removes");
   }

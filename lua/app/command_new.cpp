@@ -12,6 +12,7 @@
 #include "base/console.h"
 #include "base/error.h"
 #include "base/files.h"
+#include "base/output_file.h"
 #include "lua/app/commands.h"
 #include "lua/app/place_options.h"
 #include "lua/host/mission_reader.h"
@@ -36,6 +37,12 @@ struct NewOptions {
 };
 
 namespace fs = std::filesystem;
+
+// Also a link that leads nowhere is there.
+bool is_there(const std::string& file) {
+  std::error_code absent;
+  return fs::exists(fs::symlink_status(file, absent));
+}
 
 // Kind, name and text of each file to write. None of the files may exist already.
 using NewFiles = std::vector<std::pair<std::string, std::pair<std::string, std::string>>>;
@@ -157,7 +164,7 @@ NewFiles new_files(const NewOptions& options, const Catalog& catalog) {
 void add_editor_settings(NewFiles& files) {
   constexpr const char* settings = ".luarc.json";
   const std::string library = library_file();
-  if (library.empty() || fs::exists(settings)) return;
+  if (library.empty() || is_there(settings)) return;
   const nlohmann::ordered_json json{{"runtime.version", "Lua 5.4"},
                                     {"workspace.library", {library}}};
   files.push_back(
@@ -171,7 +178,8 @@ int new_command(const NewOptions& options) {
   const std::shared_ptr<const Catalog> catalog = read_catalog("");
   NewFiles files = new_files(options, *catalog);
   for (const auto& [what, file] : files) {
-    if (fs::exists(file.first)) throw InputError({file.first, 0}, "is there already");
+    if (is_there(file.first)) throw InputError({file.first, 0}, "is there already");
+    refuse_links("", fs::path(file.first).parent_path().string());
   }
   if (options.what != "plan") add_editor_settings(files);
   nlohmann::ordered_json wrote;
@@ -181,7 +189,7 @@ int new_command(const NewOptions& options) {
     std::error_code why;
     if (!folder.empty()) fs::create_directories(folder, why);
     if (why) throw InputError({}, fmt::format("{}: {}", folder.string(), why.message()));
-    write_file(file.first, file.second);
+    write_new_file(file.first, file.second);
     wrote[what] = file.first;
     names.push_back(file.first);
   }

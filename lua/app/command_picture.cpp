@@ -3,14 +3,13 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
-#include <csignal>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "base/console.h"
 #include "base/output_file.h"
 #include "base/rounding.h"
+#include "base/stop_signal.h"
 #include "lua/app/commands.h"
 #include "lua/app/common_options.h"
 #include "lua/app/instrument_answer.h"
@@ -35,10 +34,6 @@ struct PictureOptions {
   bool is_quiet = false;
   AnswerStyle style = AnswerStyle::by_output;
 };
-
-std::atomic<int> stop_signal{0};
-
-void request_stop(int signal) { stop_signal = signal; }
 
 void check(const PictureOptions& options) {
   if (!options.is_movie && options.file.ends_with(".mp4")) {
@@ -71,14 +66,13 @@ int make_film(const PictureOptions& options, const PictureRun& run, const Pictur
               const Gpu& gpu, Lettering& letters) {
   const PictureSize size = picture_size(run, request);
   AnswerRow about;
-  std::signal(SIGINT, request_stop);
-  std::signal(SIGTERM, request_stop);
+  catch_stop_signals();
   Film film(options.file, size.width_px, size.height_px);
   for (std::size_t k = 0; k < run.times.size(); ++k) {
     const PictureFrameOut frame = picture_of(run, k, request, gpu, letters);
     if (k == 0) about = frame.about;
     film.add(frame.picture.rgb);
-    if (stop_signal != 0) return 128 + stop_signal;
+    if (stop_signal() != 0) return 128 + stop_signal();
     if (!options.is_quiet && isatty(STDERR_FILENO) != 0) {
       redraw_message(fmt::format("picture {} of {}", k + 1, run.times.size()));
       if (k + 1 == run.times.size()) print_message("\n");

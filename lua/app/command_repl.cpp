@@ -10,6 +10,8 @@
 #include <iostream>
 
 #include "base/console.h"
+#include "base/output_file.h"
+#include "base/stop_signal.h"
 #include "lua/app/commands.h"
 #include "lua/session/repl.h"
 
@@ -97,11 +99,13 @@ int run_piped_input(Repl& repl) {
 int repl_command(const std::string& plan_file) {
   const std::string name =
       plan_file.empty() ? "prompt" : std::filesystem::path(plan_file).stem().string();
-  Repl repl(plan_file, "out/repl/" + name, [](const std::string& text) {
+  const std::string folder = "out/repl/" + name;
+  refuse_links("", folder);
+  Repl repl(plan_file, folder, [](const std::string& text) {
     print_result("{}\n", text);
     flush_results();
   });
-  std::signal(SIGINT, [](int) {
+  catch_signal(SIGINT, [](int) {
     is_interrupted = 1;
     SimSession::interrupt();
   });

@@ -6,6 +6,7 @@
 
 #include "base/console.h"
 #include "base/files.h"
+#include "base/stop_signal.h"
 #include "lua/app/commands.h"
 #include "lua/app/planning_watch.h"
 #include "lua/app/progress.h"

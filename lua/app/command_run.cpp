@@ -4,6 +4,8 @@
 #include <filesystem>
 
 #include "base/console.h"
+#include "base/output_file.h"
+#include "base/stop_signal.h"
 #include "lua/app/commands.h"
 #include "lua/app/common_options.h"
 #include "lua/app/planning_watch.h"
@@ -31,6 +33,7 @@ int run_command(const RunOptions& options) {
   }
   const std::string path =
       options.folder.empty() ? default_run_folder(options.plan) : options.folder;
+  if (options.folder.empty()) refuse_links("", path);
   check_not_from(path, options.from);
   const std::string other =
       check_replaced_run(path, options.plan, options.folder.empty(), options.is_forced);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "base/console.h"
@@ -120,9 +119,7 @@ int schema_command(const SchemaOptions& options) {
     faults.error({}, fmt::format("there is no event '{}'{}", name, did_you_mean(name, known)));
   }
   if (!options.file.empty()) check_output("-o", options.file, {".kml", ".gpkg"}, {}, faults);
-  if (std::error_code absent; std::filesystem::exists(options.file, absent)) {
-    faults.error({}, fmt::format("-o {}: is there already; it is not replaced", options.file));
-  }
+  check_free("-o", options.file, "it is not replaced", faults);
   const Body* planet = find_body(options.planet);
   if (planet == nullptr) {
     faults.error({}, fmt::format("--planet {}: there are Moon, Mars, Earth", options.planet));
@@ -145,7 +142,7 @@ int schema_command(const SchemaOptions& options) {
   int number = 0;
   for (const Kind& kind : kinds) add_example(document, kind, kind.is_event ? number += 10 : 0);
   if (!options.file.empty()) {
-    write_file(options.file, write_kml(document));
+    write_new_file(options.file, write_kml(document));
   } else if (options.is_json) {
     print_result(
         "{}\n", kinds_json(document).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));

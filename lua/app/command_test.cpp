@@ -13,6 +13,7 @@
 #include "base/console.h"
 #include "base/error.h"
 #include "base/files.h"
+#include "base/output_file.h"
 #include "lua/app/commands.h"
 #include "lua/app/common_options.h"
 #include "lua/session/scenario_runner.h"
@@ -21,11 +22,13 @@ namespace lsos {
 
 namespace {
 
+constexpr const char* default_folder = "out/scenarios";
+
 struct TestOptions {
   std::vector<std::string> paths{"tests/scenarios"};
   std::string filter;  // only scenarios with it in their name, or their file's
   std::string junit_file;
-  std::string folder = "out/scenarios";  // of the logs of those that fail
+  std::string folder = default_folder;  // of the logs of those that fail
   int threads = 2;
   bool is_json = false;
 };
@@ -88,9 +91,11 @@ std::vector<ScenarioResult> wait_for(Worker& worker) {
   return results;
 }
 
-// Log folder of each file, named after the file; no two are the same.
+// Log folder of each file, named after the file; no two are the same. Throws InputError where one,
+// or the default folder, is a link.
 std::vector<std::string> folders_of(const std::vector<std::string>& files,
                                     const std::string& folder) {
+  if (folder == default_folder) refuse_links("", folder);
   std::vector<std::string> folders;
   std::set<std::string> taken;
   for (const std::string& file : files) taken.insert(fs::path(file).stem());
@@ -104,6 +109,7 @@ std::vector<std::string> folders_of(const std::vector<std::string>& files,
         name = fmt::format("{}_{}", stem, number);
       }
     }
+    refuse_links(folder, name);
     folders.push_back(fmt::format("{}/{}", folder, name));
   }
   return folders;

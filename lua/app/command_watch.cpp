@@ -1,10 +1,8 @@
 // `lsos-host run --watch`: each run is a separate process, so that a run that is out of date can be
 // stopped.
 #include <fmt/format.h>
-#include <sys/prctl.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <csignal>
 #include <filesystem>
 #include <map>
@@ -12,6 +10,7 @@
 #include "base/child_process.h"
 #include "base/console.h"
 #include "base/error.h"
+#include "base/stop_signal.h"
 #include "lua/app/run_options.h"
 #include "lua/host/mission_reader.h"
 #include "product/run_folder.h"
@@ -23,8 +22,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr useconds_t poll_period_us = 200'000;
-
-std::atomic<int> stop_signal{0};
 
 // Time at which each file that the run could depend on was last written.
 using Written = std::map<std::string, fs::file_time_type>;
@@ -64,7 +61,7 @@ std::string changed_file(const Written& before, const Written& after) {
 // write in several steps. Returns the name of a changed file.
 std::string wait_for_change(const std::string& plan_file, Written& written) {
   std::string changed;
-  while (stop_signal == 0) {
+  while (stop_signal() == 0) {
     usleep(poll_period_us);
     const Written now = written_now(plan_file);
     const std::string differs = changed_file(written, now);
@@ -84,33 +81,23 @@ fs::file_time_type modified(const std::string& file) {
   return fs::last_write_time(file, none);
 }
 
-void end_with_parent(pid_t parent) {
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) _exit(0);
-}
-
 }  // namespace
 
 int watch_command(RunOptions options) {
-  const pid_t self = getpid();
   Written written = written_now(options.plan);
-  const auto note = [](int signal) { stop_signal = signal; };
-  std::signal(SIGINT, note);
-  std::signal(SIGTERM, note);
+  catch_stop_signals();
   for (;;) {
     const std::string kept_plan =
         (options.folder.empty() ? default_run_folder(options.plan) : options.folder) + "/plan.kml";
     const auto kept_before = modified(kept_plan);
     std::optional<ChildProcess> process = ChildProcess::fork();
-    if (!process) {
-      end_with_parent(self);
-      return run_command(options);
-    }
+    if (!process) return run_command(options);
     const std::string changed = wait_for_change(options.plan, written);
     // A run still going is out of date and is stopped; one that has ended is not affected.
-    process->send(stop_signal != 0 ? static_cast<int>(stop_signal) : SIGTERM);
+    // A terminal has sent its SIGINT to the run as well, and a second would cut it short.
+    process->send(SIGTERM);
     process->wait();
-    if (stop_signal != 0) return 128 + stop_signal;
+    if (stop_signal() != 0) return 128 + stop_signal();
     // A run that took the folder has written its plan there, so what is left in it may be replaced.
     options.is_forced |= modified(kept_plan) != kept_before;
     if (!options.is_quiet) print_message("\n{} has changed: running again\n", changed);

@@ -2,13 +2,18 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
 #include <csignal>
 #include <filesystem>
+#include <new>
 #include <sstream>
+#include <system_error>
 
 #include "base/console.h"
 #include "base/error.h"
 #include "base/output_error.h"
+#include "base/stop_signal.h"
 #include "lua/app/commands.h"
 #include "lua/app/common_options.h"
 #include "lua/host/version.h"
@@ -76,12 +81,22 @@ int run_program(std::vector<std::string> arguments) {
   return chosen->second();
 }
 
+// Whether the machine is at fault, and not a path.
+bool is_of_machine(const std::error_code& code) {
+  constexpr std::array kinds{
+      std::errc::no_space_on_device,  std::errc::io_error,
+      std::errc::file_too_large,      std::errc::not_enough_memory,
+      std::errc::too_many_files_open, std::errc::too_many_files_open_in_system};
+  return std::ranges::any_of(kinds, [&](std::errc kind) { return code == kind; });
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
   // Beyond a file size limit a write must fail and be reported, not kill the program.
   std::signal(SIGXFSZ, SIG_IGN);
+  lsos::catch_fatal_signals();
   lsos::open_missing_streams();
   try {
     const int code = run_program({argv + 1, argv + argc});
@@ -93,9 +108,12 @@ int main(int argc, char** argv) {
   } catch (const std::filesystem::filesystem_error& error) {
     // Usually a folder that may not be entered.
     lsos::print_message("{}: {}\n", error.path1().string(), error.code().message());
-    return error.code() == std::errc::no_space_on_device ? 3 : 2;
+    return is_of_machine(error.code()) ? 3 : 2;
   } catch (const lsos::OutputError& error) {
     lsos::print_message("{}\n", error.what());
+    return 3;
+  } catch (const std::bad_alloc&) {
+    lsos::print_message("out of memory\n");
     return 3;
   } catch (const std::exception& error) {
     lsos::print_message("fault inside the program: {}\n", error.what());

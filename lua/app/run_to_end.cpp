@@ -4,9 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
-#include <csignal>
 #include <cstddef>
 #include <set>
 #include <string>
@@ -14,6 +12,7 @@
 #include "base/console.h"
 #include "base/error.h"
 #include "base/files.h"
+#include "base/stop_signal.h"
 #include "lua/app/progress.h"
 #include "lua/check/run_estimate.h"
 #include "lua/host/cached_routes.h"
@@ -30,13 +29,6 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_between(Clock::time_point from, Clock::time_point to) {
   return std::chrono::duration<double>(to - from).count();
-}
-
-std::atomic<int> stop_signal{0};
-
-void request_stop(int signal) {
-  stop_signal = signal;
-  std::signal(signal, SIG_DFL);  // a second signal ends the program at once
 }
 
 void warn(const std::string& what) { print_message("warning: {}\n", what); }
@@ -101,12 +93,13 @@ int simulate(Simulation& simulation, Checkpoints& checkpoints, bool is_quiet) {
   TimeLeft time_left(simulation.work());
   const Clock::time_point begin = Clock::now();
   Clock::time_point step = begin;
+  const Task task("the step under way ends, and the log is closed");
   int stopped_by = 0;
   while (!simulation.is_finished() && stopped_by == 0) {
-    stopped_by = stop_signal;
+    stopped_by = stop_signal();
     if (stopped_by != 0) {
       checkpoints.stop(simulation);
-      simulation.stop(fmt::format("stopped by {}", stopped_by == SIGINT ? "SIGINT" : "SIGTERM"));
+      simulation.stop(fmt::format("stopped by {}", name_of_signal(stopped_by)));
       continue;
     }
     const double before_s = seconds(simulation.now());
@@ -154,11 +147,6 @@ std::vector<Product> products_of(const MissionUnderWay& mission, const OutcomeOp
 
 }  // namespace
 
-void catch_stop_signals() {
-  std::signal(SIGINT, request_stop);
-  std::signal(SIGTERM, request_stop);
-}
-
 SimulationSetup run_setup(const MissionFiles& files, const OutcomeOptions& options,
                           PlanningWatch& watch) {
   constexpr double greatest_gb = 1e9;
@@ -175,7 +163,15 @@ SimulationSetup run_setup(const MissionFiles& files, const OutcomeOptions& optio
   return setup;
 }
 
-int run_to_end(MissionUnderWay mission, const OutcomeOptions& options) {
+namespace {
+
+struct EndedRun {
+  int stopped_by = 0;  // a signal, or 0
+  RunSummary summary;
+};
+
+// Simulates to the end and writes the results.
+EndedRun simulate_and_record(const MissionUnderWay& mission, const OutcomeOptions& options) {
   Simulation& simulation = mission.simulation;
   constexpr double bytes_per_gb = 1e9;
   mission.record.log().limit_size(static_cast<std::uintmax_t>(options.log_max_gb * bytes_per_gb));
@@ -185,9 +181,35 @@ int run_to_end(MissionUnderWay mission, const OutcomeOptions& options) {
   }
   const bool can_resume = stopped_by != 0 && mission.checkpoints.is_on();
   // The report of a stopped run has no pictures, so that the program ends soon.
-  const RunSummary summary =
-      mission.record.finish(mission.files, simulation, mission.checkpoints.wall_s(), warn,
-                            products_of(mission, options, stopped_by == 0), can_resume);
+  return {stopped_by,
+          mission.record.finish(mission.files, simulation, mission.checkpoints.wall_s(), warn,
+                                products_of(mission, options, stopped_by == 0), can_resume)};
+}
+
+std::string with_advice(const std::exception& error, const std::string& folder) {
+  return fmt::format("{}\nwhen the cause is gone, 'lsos-host resume {}' goes on", error.what(),
+                     folder);
+}
+
+// The same; where the disk is full, or the log locked, or a raster gone, the message says how to go
+// on.
+EndedRun run_with_advice(const MissionUnderWay& mission, const OutcomeOptions& options) {
+  try {
+    return simulate_and_record(mission, options);
+  } catch (const OutputError& error) {
+    if (!has_checkpoint(mission.folder.path())) throw;
+    throw OutputError(with_advice(error, mission.folder.path()));
+  } catch (const InputError& error) {
+    if (!has_checkpoint(mission.folder.path())) throw;
+    throw InputError({}, with_advice(error, mission.folder.path()));
+  }
+}
+
+}  // namespace
+
+int run_to_end(MissionUnderWay mission, const OutcomeOptions& options) {
+  const auto [stopped_by, summary] = run_with_advice(mission, options);
+  const bool can_resume = stopped_by != 0 && mission.checkpoints.is_on();
   const std::string& folder = mission.folder.path();
   print_result("{}", options.is_json ? to_json(summary) : to_text(summary));
   if (!options.is_json) print_result("results in {}\n", folder);
@@ -195,7 +217,7 @@ int run_to_end(MissionUnderWay mission, const OutcomeOptions& options) {
     flush_results();
     print_message("stopped: resume with 'lsos-host resume {}'\n", folder);
   }
-  if (stopped_by != 0) return 128 + stopped_by;
+  if (stop_signal() != 0) return 128 + stop_signal();
   return summary.status == RunStatus::completed ? 0 : 1;
 }
 

@@ -11,9 +11,6 @@
 
 namespace lsos {
 
-// SIGINT and SIGTERM stop the simulation from now on; a second one ends the program at once.
-void catch_stop_signals();
-
 // A mission that is being run, from its start or from a checkpoint.
 struct MissionUnderWay {
   MissionFiles& files;

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <fstream>
+#include <string_view>
 
 #include "base/files.h"
 #include "lua/host/version.h"
@@ -14,14 +16,27 @@ namespace {
 
 constexpr const char* cached_legs_suffix = ".routes";
 
+constexpr std::string_view first_word = "lsos-host ";
+
 // Another build may plan otherwise: what it kept is not ours.
 std::string program_stamp() {
   const std::filesystem::path program = "/proc/self/exe";
   std::error_code ignored;
   const auto size = std::filesystem::file_size(program, ignored);
   const auto written = std::filesystem::last_write_time(program, ignored).time_since_epoch();
-  return fmt::format("lsos-host {} {} {} {}\n", program_version, size, written.count(),
+  return fmt::format("{}{} {} {} {}\n", first_word, program_version, size, written.count(),
                      optimiser_stamp());
+}
+
+// Whether the name is free, or holds routes that some build has kept.
+bool may_be_replaced(const std::string& file) {
+  std::error_code absent;
+  if (!std::filesystem::exists(file, absent)) return true;
+  if (!std::filesystem::is_regular_file(file, absent)) return false;
+  std::string begin(first_word.size(), '\0');
+  std::ifstream(file, std::ios::binary)
+      .read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  return begin == first_word;
 }
 
 }  // namespace
@@ -39,13 +54,10 @@ std::string read_cached_legs(const std::string& plan_file) {
 
 std::vector<Fault> cached_legs_advice(const std::string& plan_file) {
   const std::string file = plan_file + cached_legs_suffix;
-  std::error_code ignored;
-  if (!std::filesystem::exists(file, ignored) || std::filesystem::is_regular_file(file, ignored)) {
-    return {};
-  }
+  if (may_be_replaced(file)) return {};
   return {{Severity::warning,
            {file, 0},
-           "it is no file: planned routes would be kept under this name, and are not"}};
+           "holds something else: planned routes would be kept under this name, and are not"}};
 }
 
 std::vector<Fault> cache_legs(const std::string& plan_file, const std::string& bytes) {

@@ -7,6 +7,7 @@
 #include <csignal>
 #include <regex>
 
+#include "base/stop_signal.h"
 #include "lua/runtime/environment.h"
 #include "lua/runtime/handle.h"
 #include "lua/runtime/module.h"
@@ -31,17 +32,18 @@ class StopByInterrupt {
   StopByInterrupt() {
     is_stop_wanted = false;
     SimSession::forget_interrupt();
-    before_ = std::signal(SIGINT, [](int) {
+    ::sigaction(SIGINT, nullptr, &before_);
+    catch_signal(SIGINT, [](int) {
       is_stop_wanted = true;
       SimSession::interrupt();
     });
   }
-  ~StopByInterrupt() { std::signal(SIGINT, before_); }
+  ~StopByInterrupt() { ::sigaction(SIGINT, &before_, nullptr); }
   StopByInterrupt(const StopByInterrupt&) = delete;
   StopByInterrupt& operator=(const StopByInterrupt&) = delete;
 
  private:
-  void (*before_)(int);
+  struct sigaction before_ {};
 };
 
 int help(lua_State* L) {

@@ -1,6 +1,7 @@
 #include "lua/session/scenario_runner.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <filesystem>
@@ -8,16 +9,60 @@
 
 #include "base/console.h"
 #include "base/files.h"
+#include "base/output_file.h"
 #include "lua/runtime/handle.h"
 #include "lua/runtime/loader.h"
 #include "lua/runtime/state.h"
 #include "lua/session/scenario.h"
 #include "lua/session/session_api.h"
 #include "lua/session/sim_sessions.h"
+#include "picture/png.h"
+#include "product/run_folder.h"
 
 namespace lsos {
 
 namespace {
+
+namespace fs = std::filesystem;
+
+bool is_plain(const fs::path& file, fs::file_type type) {
+  std::error_code unreadable;
+  return fs::symlink_status(file, unreadable).type() == type;
+}
+
+// A picture that `sim:picture` has named.
+bool is_picture(const fs::path& file) {
+  return file.filename().string().ends_with("_s.png") && is_plain(file, fs::file_type::regular) &&
+         read_file(file.string()).value_or("").starts_with(png_mark);
+}
+
+// Removes what the simulations of a scenario have left there. Whatever else lies there stays: users
+// name the folder, scripts the scenario.
+void clear_logs(const fs::path& folder) {
+  if (!is_plain(folder, fs::file_type::directory)) return;
+  const auto entries_of = [](const fs::path& of) {
+    std::error_code unreadable;
+    std::vector<fs::path> entries;
+    for (const auto& entry : fs::directory_iterator(of, unreadable)) entries.push_back(entry);
+    return entries;
+  };
+  for (const fs::path& log : entries_of(folder)) {
+    if (!SimSessions::is_folder_name(log.filename().string()) ||
+        !is_plain(log, fs::file_type::directory)) {
+      continue;
+    }
+    try {
+      RunFolder run(log.string(), true);
+      for (const fs::path& file : entries_of(log)) {
+        if (is_picture(file)) ::unlink(file.c_str());
+      }
+      run.clear();
+    } catch (const std::runtime_error&) {
+      // No run of this program, or it cannot be removed.
+    }
+  }
+  ::rmdir(folder.c_str());  // fails where something else lies in it
+}
 
 // Pops a scenario's function and runs it.
 ScenarioResult run_one(lua_State* L, SimSessions& sims, const std::string& file,
@@ -42,9 +87,9 @@ ScenarioResult run_one(lua_State* L, SimSessions& sims, const std::string& file,
   sims.close_all();
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
   result.wall_s = wall.count();
+  if (result.failure.empty()) clear_logs(folder);
   std::error_code ignored;
-  if (result.failure.empty()) std::filesystem::remove_all(folder, ignored);
-  if (!std::filesystem::exists(folder, ignored)) result.log.clear();
+  if (result.failure.empty() || !fs::exists(folder, ignored)) result.log.clear();
   return result;
 }
 
@@ -55,7 +100,7 @@ std::string folder_name(const std::string& name, std::set<std::string>& taken) {
   for (const char c : name.substr(0, longest)) {
     text += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
   }
-  if (text.empty()) text = "_";
+  if (text.empty()) text.push_back('_');
   std::string own = text;
   for (int k = 2; !taken.insert(own).second; ++k) own = fmt::format("{}_{}", text, k);
   return own;
@@ -65,7 +110,7 @@ std::string folder_name(const std::string& name, std::set<std::string>& taken) {
 
 void run_scenarios(const std::string& file, const std::string& filter, const std::string& folder,
                    const std::function<void(const ScenarioResult&)>& report) {
-  const std::filesystem::path path = file;
+  const fs::path path = file;
   Script script;
   script.name = path.stem();
   script.file = file;
@@ -99,7 +144,8 @@ void run_scenarios(const std::string& file, const std::string& filter, const std
       if (name.find(filter) == std::string::npos && file.find(filter) == std::string::npos)
         continue;
       lua_rawgeti(L, 2, 2);
-      const std::string own_folder = folder + "/" + folder_name(name, folders);
+      const std::string own_name = folder_name(name, folders), own_folder = folder + "/" + own_name;
+      refuse_links(folder, own_name);
       SimSessions sims(own_folder, say);
       lua.context().interactive_rovers = &sims;
       report(run_one(L, sims, file, name, own_folder));

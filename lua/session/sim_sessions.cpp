@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 
 #include "lua/host/plan_table.h"
 #include "plan/kml_text.h"
@@ -14,12 +15,20 @@ namespace {
 
 constexpr ScriptInstance rovers_max = 1 << 20;  // of one simulation
 
+constexpr std::string_view folder_prefix = "sim";
+
 ScriptInstance next_number = 0;
 
 }  // namespace
 
+bool SimSessions::is_folder_name(std::string_view name) {
+  return name.starts_with(folder_prefix) && name.size() > folder_prefix.size() &&
+         std::ranges::all_of(name.substr(folder_prefix.size()),
+                             [](unsigned char c) { return std::isdigit(c) != 0; });
+}
+
 ScriptInstance SimSessions::add(PlanSource source, std::shared_ptr<const Catalog> catalog) {
-  const std::string folder = fmt::format("{}/sim{}", folder_, sessions_.size() + 1);
+  const std::string folder = fmt::format("{}/{}{}", folder_, folder_prefix, sessions_.size() + 1);
   auto session = std::make_unique<SimSession>(std::move(source), std::move(catalog), folder);
   std::vector<Fault> warnings = session->files().faults.sorted();
   const std::vector<Fault> advice = session->simulation().advice();

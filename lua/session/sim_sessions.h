@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "lua/runtime/context.h"
@@ -20,6 +21,9 @@ class SimSessions : public InteractiveRovers {
   SimSessions(std::string folder, std::function<void(const std::string&)> say,
               bool is_loading = false)
       : folder_(std::move(folder)), say_(std::move(say)), is_loading_(is_loading) {}
+
+  // Whether `name` is that of such a folder.
+  static bool is_folder_name(std::string_view name);
 
   bool is_loading() const { return is_loading_; }
   // The first expectation of a scenario that failed; "": none.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/stop_signal.h"
 #include "vehicle/limb_hindrance.h"
 
 namespace lsos {
@@ -176,6 +177,7 @@ PlannedRoute RoverAgent::plan_path(const Path3& waypoints_S_m, std::int64_t firs
   for (const std::string& id : settings.around) {
     if (auto obstacle = surroundings_->obstacle(id)) around.standing.push_back(*obstacle);
   }
+  const Task task("a route is planned");
   PlannedRoute route = routes_.plan(rover_.id, now_, journal_.sequence(),
                                     {view_.p_S_m, view_.heading_rad}, waypoints_S_m, first, around);
   for (const std::string& warning : routes_.take_warnings()) journal_.warn(warning);

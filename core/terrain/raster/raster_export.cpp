@@ -7,25 +7,24 @@
 #include <ogr_spatialref.h>
 
 #include <cmath>
-#include <filesystem>
 #include <limits>
 #include <memory>
 #include <numbers>
 #include <vector>
 
-#include "access/file_access.h"
 #include "access/gdal_access.h"
+#include "access/memory_file.h"
+#include "base/files.h"
+#include "base/output_error.h"
 #include "terrain/raster/gdal_call.h"
 
 namespace lsos {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 [[noreturn]] void refuse(const std::string& file) {
   const std::string why = GdalSilence::message();
-  throw InputError({file, 0}, fmt::format("cannot be written: {}", why.empty() ? "no space" : why));
+  throw OutputError(fmt::format("{}: cannot be written: {}", file, why.empty() ? "no space" : why));
 }
 
 GDALDriver& driver(const char* name) {
@@ -100,30 +99,19 @@ GDALDatasetUniquePtr hillshade(GDALDataset& heights, const Body& body) {
   return shade;
 }
 
-// Writes a GeoTIFF under another name until it is whole.
 void write_cog(GDALDataset& dataset, const std::string& file) {
   CPLStringList options;
   options.SetNameValue("COMPRESS", "DEFLATE");
   options.SetNameValue("PREDICTOR", "YES");
   options.SetNameValue("OVERVIEW_RESAMPLING", "AVERAGE");
-  const std::string unfinished = file + ".part";
-  allow_file(unfinished);
+  const MemoryFile made("map.tif");
   CPLErrorReset();
-  GDALDatasetUniquePtr copy(driver("COG").CreateCopy(unfinished.c_str(), &dataset, FALSE,
+  GDALDatasetUniquePtr copy(driver("COG").CreateCopy(made.name().c_str(), &dataset, FALSE,
                                                      options.List(), nullptr, nullptr));
   const bool is_made = copy != nullptr;
   copy.reset();
-  std::error_code error;
-  if (!is_made || CPLGetLastErrorType() >= CE_Failure) {
-    fs::remove(unfinished, error);
-    refuse(file);
-  }
-  fs::rename(unfinished, file, error);
-  if (error) {
-    const std::string why = error.message();
-    fs::remove(unfinished, error);
-    throw InputError({file, 0}, fmt::format("cannot be written: {}", why));
-  }
+  if (!is_made || CPLGetLastErrorType() >= CE_Failure) refuse(file);
+  write_file(file, made.bytes());
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ struct MapBand {
 };
 
 // Writes a cloud-optimised GeoTIFF with CRS: heights in m, as 32-bit numbers, missing where
-// `height_m` returns NaN. It has another name until it is whole. Throws InputError when that fails.
+// `height_m` returns NaN. Throws as write_file() does.
 void write_raster(const RasterExport& to, const MapGrid& grid, const Body& body,
                   const std::function<double(const Geodetic&)>& height_m);
 

@@ -26,9 +26,16 @@ std::string refusal_of(const std::string& path, bool force = false) {
   }
 }
 
+// Begins a new run in place of an earlier one.
+void begin(RunFolder&& run) {
+  run.prepare();
+  run.settle();
+}
+void begin(RunFolder& run) { begin(std::move(run)); }
+
 void write_finished_run(const std::string& path) {
   RunFolder run(path, false);
-  run.prepare();
+  begin(run);
   write_file(run.file("log.gpkg"), "log");
   write_file(run.file("overlay.kml"), "overlay");
   write_file(run.file("plan.kml"), "plan");
@@ -64,7 +71,7 @@ TEST(RunFolder, replaces_a_finished_run_only_when_told) {
   }
   EXPECT_TRUE(fs::exists(path + "/log.gpkg"));
   RunFolder run(path, false);
-  run.prepare();
+  begin(run);
   for (const char* name : {"log.gpkg", "overlay.kml", "plan.kml", "summary.json"}) {
     EXPECT_FALSE(fs::exists(run.file(name))) << name;
   }
@@ -77,7 +84,7 @@ TEST(RunFolder, gives_an_earlier_run_back_when_the_new_one_fails_to_begin) {
   write_finished_run(path);
   {
     RunFolder run(path, false);
-    run.prepare_aside();
+    run.prepare();
     EXPECT_FALSE(fs::exists(run.file("summary.json")));
     write_file(run.file("log.gpkg"), "new");
     run.discard();
@@ -87,7 +94,7 @@ TEST(RunFolder, gives_an_earlier_run_back_when_the_new_one_fails_to_begin) {
   EXPECT_EQ(refusal_of(path), "not refused") << "the run in it has finished";
   {
     RunFolder run(path, false);
-    run.prepare_aside();
+    run.prepare();
     write_file(run.file("log.gpkg"), "new");
     run.settle();
     write_summary(path, {});
@@ -143,7 +150,7 @@ TEST(RunFolder, removes_a_replaced_run_when_a_kill_came_meanwhile) {
 TEST(RunFolder, refuses_an_unfinished_run_unless_forced) {
   const TestFolder folder;
   const std::string path = folder / "a";
-  { RunFolder(path, false).prepare(); }
+  begin(RunFolder(path, false));
   EXPECT_THAT(refusal_of(path), HasSubstr("a: holds a run that has not finished; --force"));
   EXPECT_THAT(refusal_of(path), HasSubstr("--force")) << "looking changes nothing";
   EXPECT_EQ(refusal_of(path, true), "not refused");
@@ -156,7 +163,7 @@ TEST(RunFolder, knows_an_unfinished_run_by_its_log) {
   { LogWriter(path + "/log.gpkg", moon_crs, test_start()).commit(); }
   EXPECT_THAT(refusal_of(path), HasSubstr("--force"));
   RunFolder run(path, true);
-  run.prepare();
+  begin(run);
   EXPECT_FALSE(fs::exists(path + "/log.gpkg"));
 }
 
@@ -185,6 +192,76 @@ TEST(RunFolder, follows_no_link_out_of_the_folder) {
   EXPECT_TRUE(fs::exists(folder / "other/log.gpkg"));
 }
 
+// Each name that the program itself would write to, read or move files into.
+TEST(RunFolder, follows_no_link_of_its_own_names) {
+  const TestFolder folder;
+  fs::create_directory(folder / "victim");
+  write_file(folder / "victim/log.gpkg", "theirs");
+  int number = 0;
+  for (const char* name : {"log.gpkg-journal", "log.gpkg-wal", ".lsos-host.lock",
+                           ".lsos-host.earlier", ".lsos-host.replaced", "days.csv"}) {
+    for (const char* target : {"victim/log.gpkg", "victim", "victim/none"}) {
+      const std::string path = folder / std::to_string(number++);
+      write_finished_run(path);
+      fs::create_symlink(folder / target, path + "/" + name);
+      EXPECT_THAT(refusal_of(path, true), HasSubstr("no run of lsos-host")) << name << target;
+      EXPECT_EQ(read_file(path + "/log.gpkg"), "log") << "the run stays";
+    }
+  }
+  EXPECT_EQ(read_file(folder / "victim/log.gpkg"), "theirs");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder / "victim"), {}), 1);
+}
+
+TEST(RunFolder, is_no_link) {
+  const TestFolder folder;
+  fs::create_directory(folder / "victim");
+  fs::create_directory_symlink(folder / "victim", folder / "a");
+  EXPECT_THAT(refusal_of(folder / "a", true), HasSubstr("a: is a link, to "));
+  EXPECT_THAT(refusal_of(folder / "a/", true), HasSubstr("nothing is written through it"));
+  fs::create_directory_symlink(folder / "none", folder / "b");
+  EXPECT_THAT(refusal_of(folder / "b", true), HasSubstr("b: is a link, to "));
+  EXPECT_TRUE(fs::is_empty(folder / "victim"));
+}
+
+TEST(RunFolder, writes_into_no_other_lock_file) {
+  const TestFolder folder;
+  const std::string path = folder / "a", lock = path + "/.lsos-host.lock";
+  write_finished_run(path);
+  write_file(lock, "a diary");
+  EXPECT_THAT(refusal_of(path, true), HasSubstr("no run of lsos-host"));
+  EXPECT_EQ(read_file(lock), "a diary");
+  fs::remove(lock);
+  write_file(folder / "empty", "");
+  fs::create_hard_link(folder / "empty", lock);
+  EXPECT_THAT(refusal_of(path, true), HasSubstr("no run of lsos-host"));
+  EXPECT_EQ(read_file(folder / "empty"), "");
+}
+
+TEST(RunFolder, leaves_what_others_put_into_its_folders) {
+  for (const char* name : {".lsos-host.earlier", ".lsos-host.replaced"}) {
+    const TestFolder folder;
+    const std::string path = folder / "a";
+    write_finished_run(path);
+    fs::create_directory(path + "/" + name);
+    write_file(path + "/" + name + "/notes.txt", "mine");
+    EXPECT_THAT(refusal_of(path, true), HasSubstr("no run of lsos-host")) << name;
+    EXPECT_EQ(read_file(path + "/" + name + "/notes.txt"), "mine");
+  }
+}
+
+TEST(RunFolder, is_cleared_of_the_run_alone) {
+  const TestFolder folder;
+  for (const bool has_notes : {false, true}) {
+    const std::string path = folder / "a";
+    write_finished_run(path);
+    if (has_notes) write_file(path + "/notes.txt", "mine");
+    RunFolder(path, true).clear();
+    EXPECT_EQ(fs::exists(path), has_notes);
+  }
+  EXPECT_EQ(read_file(folder / "a/notes.txt"), "mine");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder / "a"), {}), 1);
+}
+
 TEST(RunFolder, refuses_a_file) {
   const TestFolder folder;
   write_file(folder / "a", "theirs");
@@ -199,21 +276,32 @@ TEST(RunFolder, keeps_out_a_second_writer) {
   {
     RunFolder first(path, false);
     EXPECT_THAT(refusal_of(path), HasSubstr("another lsos-host is writing there"));
-    first.prepare();
+    begin(first);
     EXPECT_THAT(refusal_of(path, true), HasSubstr("another lsos-host is writing there"));
     write_summary(path, {});
   }
   EXPECT_EQ(refusal_of(path), "not refused");
 }
 
+TEST(RunFolder, gives_back_nothing_before_all_was_kept) {
+  const TestFolder folder;
+  const std::string path = folder / "a";
+  write_finished_run(path);
+  RunFolder run(path, false);
+  run.discard();
+  EXPECT_EQ(read_file(path + "/log.gpkg"), "log") << "the earlier run was not moved yet";
+}
+
 TEST(RunFolder, removes_what_a_kill_left_half_written) {
   const TestFolder folder;
   const std::string path = folder / "a";
-  { RunFolder(path, false).prepare(); }
+  begin(RunFolder(path, false));
   write_file(path + "/overlay.kml.part", "half");
+  fs::create_directory(path + "/summary.json.part");
   RunFolder run(path, true);
-  run.prepare();
+  begin(run);
   EXPECT_FALSE(fs::exists(path + "/overlay.kml.part"));
+  EXPECT_TRUE(fs::exists(path + "/summary.json.part")) << "no file of ours";
 }
 
 }  // namespace
