@@ -6,9 +6,8 @@
 #include <cstdio>
 #include <cstring>
 #include <fstream>
-#include <sstream>
-#include <utility>
 
+#include "base/bounded_file.h"
 #include "base/error.h"
 #include "base/output_error.h"
 
@@ -29,14 +28,6 @@ void write_file(const std::string& file, std::string_view bytes) {
   throw OutputError(fmt::format("{}: {}", file, why));
 }
 
-std::optional<std::string> read_file(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return std::nullopt;
-  std::ostringstream bytes;
-  // Inserting an empty buffer would set the failbit; a folder can be opened but fails on reading.
-  if (in.peek() != std::ifstream::traits_type::eof()) bytes << in.rdbuf();
-  if (in.bad() || bytes.bad()) return std::nullopt;
-  return std::move(bytes).str();
-}
+std::optional<std::string> read_file(const std::string& file) { return read_bounded(file).value; }
 
 }  // namespace lsos
