@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cerrno>
 #include <memory>
@@ -13,11 +14,22 @@
 #include <string_view>
 
 #include "access/file_access.h"
+#include "access/open_budget.h"
 #include "access/refusal.h"
+#include "base/bounded_file.h"
 
 namespace lsos {
 
 namespace {
+
+constexpr std::size_t companion_bytes_max = std::size_t{64} << 20;
+
+// Whether GDAL reads such a file into memory: a VRT, or what lies beside a raster.
+bool is_companion(std::string_view path) {
+  static constexpr std::array<std::string_view, 7> endings{".prj", ".xml", ".hdr", ".vrt",
+                                                           ".tfw", ".wld", ".txt"};
+  return std::ranges::any_of(endings, [&](std::string_view end) { return path.ends_with(end); });
+}
 
 // The file system of the machine.
 class BoundedFiles : public VSIFilesystemHandler {
@@ -27,7 +39,12 @@ class BoundedFiles : public VSIFilesystemHandler {
 
   VSIVirtualHandle* Open(const char* path, const char* access, bool sets_error,
                          CSLConstList options) override {
-    if (!check(path)) return nullptr;
+    const bool is_read = access[0] == 'r';
+    if (!check(path) || (is_read && !is_file(path))) return nullptr;
+    if (!spend_file()) {
+      refuse(too_many_files());
+      return nullptr;
+    }
     return files_->Open(path, access, sets_error, options);
   }
   int Stat(const char* path, VSIStatBufL* stat, int flags) override {
@@ -68,6 +85,17 @@ class BoundedFiles : public VSIFilesystemHandler {
     if (is_allowed(path)) return true;
     // GDAL asks there what machine it runs on before it calls a server.
     if (!std::string_view(path).starts_with("/sys/")) refuse(refused_file(path));
+    errno = EACCES;
+    return false;
+  }
+
+  // Whether it can be opened without waiting for ever, which a pipe cannot, and read whole where
+  // GDAL does so. GDAL itself says of a folder that it is none.
+  static bool is_file(const char* path) {
+    std::string why = other_than_file(path);
+    if (why.empty() && is_companion(path)) why = larger_than(path, companion_bytes_max);
+    if (why.empty()) return true;
+    if (why != is_folder) refuse(fmt::format("'{}' {}", path, why));
     errno = EACCES;
     return false;
   }

@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <atomic>
 #include <filesystem>
 #include <mutex>
+#include <set>
 #include <shared_mutex>
-#include <vector>
 
 namespace lsos {
 
@@ -17,8 +16,8 @@ namespace fs = std::filesystem;
 
 struct Allowed {
   std::shared_mutex mutex;
-  std::vector<fs::path> folders;
-  std::vector<fs::path> files;  // without their extensions
+  std::set<std::string> folders;
+  std::set<std::string> files;  // without their extensions
 };
 
 Allowed& allowed() {
@@ -38,8 +37,13 @@ fs::path resolved(const std::string& path) {
   return canonical.has_filename() ? canonical : canonical.parent_path();
 }
 
-bool lies_below(const fs::path& path, const fs::path& folder) {
-  return std::ranges::mismatch(folder, path).in1 == folder.end();
+// Whether `path` is one of the folders or lies below one, of which there may be thousands.
+bool lies_in_any(const std::set<std::string>& folders, fs::path path) {
+  while (!folders.contains(path.native())) {
+    if (!path.has_relative_path()) return false;
+    path = path.parent_path();
+  }
+  return true;
 }
 
 // "/maps/dem" of "/maps/dem.tif" and "/maps/dem.tif.aux.xml".
@@ -48,9 +52,9 @@ fs::path stem_of(const fs::path& file) {
   return file.parent_path() / name.substr(0, name.find('.', 1));
 }
 
-void add(std::vector<fs::path>& paths, fs::path path) {
+void add(std::set<std::string>& paths, const fs::path& path) {
   const std::unique_lock lock(allowed().mutex);
-  if (std::ranges::count(paths, path) == 0) paths.push_back(std::move(path));
+  paths.insert(path.native());
 }
 
 }  // namespace
@@ -91,9 +95,7 @@ bool is_allowed(const std::string& path) {
   if (!is_restricted) return true;
   const fs::path file = resolved(path);
   const std::shared_lock lock(allowed().mutex);
-  return std::ranges::count(allowed().files, stem_of(file)) > 0 ||
-         std::ranges::any_of(allowed().folders,
-                             [&](const fs::path& folder) { return lies_below(file, folder); });
+  return allowed().files.contains(stem_of(file).native()) || lies_in_any(allowed().folders, file);
 }
 
 std::string refused_file(const std::string& path) {

@@ -13,6 +13,7 @@
 #include "access/bounded_files.h"
 #include "access/bounded_projections.h"
 #include "access/file_access.h"
+#include "access/open_budget.h"
 #include "access/refusal.h"
 #include "access/service_drivers.h"
 #include "base/console.h"
@@ -45,8 +46,23 @@ GDALDataset* open_vectors_alone(GDALOpenInfo* info) {
   return nullptr;
 }
 
+GDALDataset* (*open_vrt)(GDALOpenInfo*) = nullptr;
+int (*is_vrt)(GDALOpenInfo*) = nullptr;
+
+GDALDataset* open_vrt_in_budget(GDALOpenInfo* info) {
+  if (is_vrt(info) <= 0) return nullptr;
+  if (spend_vrt()) return open_vrt(info);
+  refuse(too_many_vrts(info->pszFilename));
+  return nullptr;
+}
+
 void bound_other_ways() {
   GDALDriverManager& manager = *GetGDALDriverManager();
+  if (GDALDriver* driver = manager.GetDriverByName("VRT")) {
+    open_vrt = driver->pfnOpen;
+    is_vrt = driver->pfnIdentify;
+    driver->pfnOpen = open_vrt_in_budget;
+  }
   if (GDALDriver* driver = manager.GetDriverByName("GPKG")) {
     open_geopackage = driver->pfnOpen;
     driver->pfnOpen = open_vectors_alone;

@@ -1,5 +1,7 @@
 #include "access/refusal.h"
 
+#include "access/open_budget.h"
+
 namespace lsos {
 
 namespace {
@@ -14,6 +16,9 @@ void refuse(const std::string& why) {
 
 const std::string& last_refusal() { return refusal; }
 
-void forget_refusal() { refusal.clear(); }
+void forget_refusal() {
+  refusal.clear();
+  renew_open_budget();
+}
 
 }  // namespace lsos

@@ -2,10 +2,8 @@
 
 #include <sys/stat.h>
 
-#include <fstream>
-#include <sstream>
-#include <utility>
 
+#include "base/bounded_file.h"
 #include "base/whole_file.h"
 
 namespace lsos {
@@ -28,14 +26,6 @@ std::optional<FileIdentity> identity_of(const std::string& file) {
   return FileIdentity{there.st_dev, there.st_ino};
 }
 
-std::optional<std::string> read_file(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return std::nullopt;
-  std::ostringstream bytes;
-  // Inserting an empty buffer would set the failbit; a folder can be opened but fails on reading.
-  if (in.peek() != std::ifstream::traits_type::eof()) bytes << in.rdbuf();
-  if (in.bad() || bytes.bad()) return std::nullopt;
-  return std::move(bytes).str();
-}
+std::optional<std::string> read_file(const std::string& file) { return read_bounded(file).value; }
 
 }  // namespace lsos

@@ -2,8 +2,18 @@
 
 namespace lsos {
 
+// Where the machine makes no more threads, those that began share the work: what is computed does
+// not depend on their number.
 WorkerPool::WorkerPool(int threads) : begin_(threads), end_(threads) {
-  for (int i = 1; i < threads; ++i) threads_.emplace_back([this] { serve(); });
+  threads_.reserve(static_cast<std::size_t>(threads));
+  try {
+    for (int i = 1; i < threads; ++i) threads_.emplace_back([this] { serve(); });
+  } catch (const std::exception&) {
+    for (auto i = static_cast<int>(threads_.size()) + 1; i < threads; ++i) {
+      begin_.arrive_and_drop();
+      end_.arrive_and_drop();
+    }
+  }
 }
 
 WorkerPool::~WorkerPool() {

@@ -2,6 +2,7 @@
 
 #include <fstream>
 
+#include "base/bounded_file.h"
 #include "base/error.h"
 #include "plan/kml_reader.h"
 #include "plan/kmz_archive.h"
@@ -13,6 +14,7 @@ namespace {
 
 // A plan in a GeoPackage is kept with its run as KML, so its bytes do not tell.
 bool is_geopackage_file(const std::string& file) {
+  if (!other_than_file(file).empty()) return false;  // a pipe was read before
   std::string begin(64, '\0');
   std::ifstream(file, std::ios::binary)
       .read(begin.data(), static_cast<std::streamsize>(begin.size()));

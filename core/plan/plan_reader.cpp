@@ -94,6 +94,20 @@ std::string no_plan_text(int count, const KmlSource& source) {
           : fmt::format("; it links to {}, which {}", quoted(links[0].href), is_not_read));
 }
 
+// Message for a plan of more things than are simulated; "" for any other. Rovers and assets are
+// looked at in pairs, for shadows, sight and contact.
+std::string excess_text(const Classified& ours) {
+  constexpr std::size_t rovers_max = 500, events_max = 20'000;
+  const std::size_t rovers = ours.rovers.size() + ours.assets.size();
+  if (rovers > rovers_max) {
+    return fmt::format("has {} rovers and assets; a plan may have {}", rovers, rovers_max);
+  }
+  if (ours.events.size() > events_max) {
+    return fmt::format("has {} events; a plan may have {}", ours.events.size(), events_max);
+  }
+  return "";
+}
+
 }  // namespace
 
 const Geodetic& site_of(const Plan& plan) {
@@ -119,6 +133,10 @@ Plan read_plan(const std::string& file, const KmlSource& source, const Declarati
   plan.decoration_count = ours.decoration_count;
   if (has_no_plan_placemark(ours) && !faults.has_errors()) {
     faults.error({source.file, 0}, no_plan_text(ours.decoration_count, source));
+    return plan;
+  }
+  if (const std::string excess = excess_text(ours); !excess.empty()) {
+    faults.error({source.file, 0}, excess);
     return plan;
   }
   warn_of_links(source, faults);

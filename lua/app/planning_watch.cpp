@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <system_error>
 
 #include "base/console.h"
 
@@ -17,7 +18,12 @@ constexpr std::chrono::seconds first_after{2}, redraw_every{1}, line_every{60};
 }  // namespace
 
 PlanningWatch::PlanningWatch(bool is_quiet) {
-  if (!is_quiet) thread_ = std::thread([this] { watch(); });
+  if (is_quiet) return;
+  try {
+    thread_ = std::thread([this] { watch(); });
+  } catch (const std::system_error&) {
+    // Where the machine makes no more threads, the plan is made without these lines.
+  }
 }
 
 PlanningWatch::~PlanningWatch() {

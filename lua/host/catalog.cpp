@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
+#include "base/bounded_file.h"
 #include "base/sha256.h"
+#include "lua/host/script_folders.h"
+#include "lua/runtime/source_budget.h"
+#include "mission/port/note_json.h"
 
 namespace lsos {
 
@@ -21,29 +23,75 @@ constexpr std::pair<ScriptKind, const char*> kind_folders[] = {{ScriptKind::even
                                                                {ScriptKind::terrain, "terrain"},
                                                                {ScriptKind::shared, "lib"}};
 
-std::string read_bytes(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) throw InputError({path.string(), 0}, "cannot be read");
-  return {std::istreambuf_iterator<char>(in), {}};
+// Bounds of all scripts that are not shipped, in one folder and together.
+constexpr std::size_t scripts_max = 1000;
+constexpr std::size_t source_bytes_together = std::size_t{16} << 20;
+
+// Whether a name can be shown: UTF-8 without control characters.
+bool is_text(const std::string& name) {
+  for (std::size_t at = 0; at < name.size();) {
+    const std::size_t bytes = utf8_bytes(name, at);
+    const auto c = static_cast<unsigned char>(name[at]);
+    if (bytes == 0 || c < ' ' || c == 0x7f) return false;
+    at += bytes;
+  }
+  return true;
+}
+
+// Reads the text of a script, or says why it cannot be used.
+void read_source(Script& script, const fs::path& path, std::size_t& bytes_left) {
+  FileBounds bounds;
+  bounds.bytes_max = source_bytes_max;
+  Parsed<std::string> source = read_bounded(path.string(), bounds);
+  if (!source) {
+    script.unread = std::move(source.why);
+  } else if (!script.is_shipped && source.value->size() > bytes_left) {
+    script.unread =
+        fmt::format("is not read: scripts may have {} MiB together", source_bytes_together >> 20);
+  } else {
+    if (!script.is_shipped) bytes_left -= source.value->size();
+    script.source = *std::move(source.value);
+  }
+  script.sha256 = sha256_hex(script.source);
 }
 
 // The scripts of one folder in byte order of their names.
-std::vector<Script> scripts_in(const ScriptFolder& folder, ScriptKind kind, const char* sub) {
+std::vector<Script> scripts_in(const ScriptFolder& folder, ScriptKind kind, const char* sub,
+                               std::size_t& bytes_left, Faults& faults) {
   std::vector<Script> scripts;
   const fs::path path = fs::path(folder.path) / sub;
-  std::error_code no_folder;
-  for (const auto& entry : fs::directory_iterator(path, no_folder)) {
-    if (entry.path().extension() != ".lua" || !entry.is_regular_file()) continue;
+  std::error_code absent;
+  const bool is_shipped = fs::equivalent(folder.path, shipped_scripts(), absent);
+  const std::string shown = (fs::path(folder.shown) / sub).string();
+  std::error_code error;
+  for (fs::directory_iterator entry(path, error), end; !error && entry != end;
+       entry.increment(error)) {
+    const fs::path file = entry->path().filename();
+    if (file.extension() != ".lua") continue;
+    if (!is_text(file.string())) {
+      faults.warning({shown, 0}, "has a script whose name is no text (UTF-8); it is left out");
+      continue;
+    }
     Script script;
     script.kind = kind;
-    script.name = entry.path().stem().string();
-    script.file = (fs::path(folder.shown) / sub / entry.path().filename()).string();
+    script.name = file.stem().string();
+    script.file = (fs::path(shown) / file).string();
     script.folder = path.string();
-    script.source = read_bytes(entry.path());
-    script.sha256 = sha256_hex(script.source);
+    script.is_shipped = is_shipped;
     scripts.push_back(std::move(script));
+    if (scripts.size() > scripts_max && !is_shipped) {
+      throw InputError({shown, 0}, fmt::format("has more than {} scripts; so many are allowed in "
+                                               "one folder",
+                                               scripts_max));
+    }
+  }
+  const bool is_absent =
+      error == std::errc::no_such_file_or_directory || error == std::errc::not_a_directory;
+  if (error && !is_absent) {
+    faults.warning({shown, 0}, fmt::format("cannot be read: {}", error.message()));
   }
   std::ranges::sort(scripts, {}, &Script::name);
+  for (Script& script : scripts) read_source(script, path / (script.name + ".lua"), bytes_left);
   return scripts;
 }
 
@@ -58,10 +106,11 @@ std::vector<ScriptFolder> plain_folders(const std::vector<std::string>& paths) {
 Catalog::Catalog(const std::vector<std::string>& folders) : Catalog(plain_folders(folders)) {}
 
 Catalog::Catalog(const std::vector<ScriptFolder>& folders) {
+  std::size_t bytes_left = source_bytes_together;
   for (const auto& [kind, sub] : kind_folders) {
     std::map<std::string, Script> chosen;
     for (const ScriptFolder& folder : folders) {
-      for (Script& script : scripts_in(folder, kind, sub)) {
+      for (Script& script : scripts_in(folder, kind, sub, bytes_left, faults_)) {
         const auto [first, is_new] = chosen.try_emplace(script.name, script);
         if (is_new || first->second.sha256 == script.sha256) continue;
         faults_.warning({first->second.file, 0},

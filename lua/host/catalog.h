@@ -15,6 +15,7 @@
 
 namespace lsos {
 
+class EventLibrary;
 class LuaState;
 
 class Catalog {
@@ -56,6 +57,7 @@ class Catalog {
   using Key = std::pair<ScriptKind, std::string>;
 
   void load_all();
+  void load_one(EventLibrary& library, const Script& script, Faults& faults, Faults& event_faults);
   void load_rover_script(LuaState& lua, const Script& script, Faults& faults);
   void add_broken(const Script& script, const Faults& faults);
   template <class T>

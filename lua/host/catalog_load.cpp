@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "base/resolved_path.h"
 #include "lua/api/api.h"
@@ -10,8 +11,10 @@
 #include "lua/api/terrain_constructors.h"
 #include "lua/host/catalog.h"
 #include "lua/host/event_library.h"
+#include "lua/host/part_faults.h"
 #include "lua/runtime/loader.h"
 #include "lua/runtime/text_literal.h"
+#include "vehicle/suspension/size_faults.h"
 
 namespace lsos {
 
@@ -101,7 +104,9 @@ std::vector<std::string> shape_faults(const RoverModel& model) {
 // a dozen times.
 void check_vehicle(const RoverModel& model, Faults& faults) {
   const RoverSpec& rover = model.spec;
-  std::vector<std::string> found = vehicle_faults(rover);
+  std::vector<std::string> found = part_faults(model.shapes, model.power, model.antennas);
+  if (found.empty()) found = size_faults(rover);
+  if (found.empty()) found = vehicle_faults(rover);
   if (found.empty()) found = shape_faults(model);
   constexpr std::size_t shown_max = 3;
   for (std::size_t i = 0; i < std::min(found.size(), shown_max); ++i) {
@@ -145,6 +150,12 @@ void Catalog::load_rover_script(LuaState& lua, const Script& script, Faults& fau
     const ConstructedValue* made = to_constructed(L, -1);
     if (made != nullptr && made->kind == asset_kind) {
       auto asset = std::any_cast<AssetModel>(made->value);
+      PowerSpec power;
+      power.panels = asset.panels;
+      for (const std::string& fault : part_faults(asset.shapes, power, {})) {
+        faults.error(asset.place, "asset: " + fault);
+      }
+      if (faults.has_errors()) return;
       declarations_.rover_types[script.name] = {asset.doc, true, {}};
       assets_[script.name] = std::move(asset);
     } else if (made != nullptr && made->kind == rover_kind) {
@@ -163,35 +174,102 @@ void Catalog::load_rover_script(LuaState& lua, const Script& script, Faults& fau
   });
 }
 
+namespace {
+
+// What all scripts that are not shipped may take to load, each within the limits of one call. The
+// processor's time is a last resort, as that of one call.
+class LoadBudget {
+ public:
+  explicit LoadBudget(LuaState& lua)
+      : lua_(lua), context_(lua.context()), bytes_before_(context_.memory.bytes()) {}
+
+  // Loads the script by `load`, or adds that there is nothing left for it.
+  void spend(const Script& script, Faults& faults, const std::function<void()>& load) {
+    if (script.is_shipped) return load();
+    if (instructions_ > instructions_max || cpu_s_ > cpu_max_s) {
+      faults.error({script.file, 0},
+                   instructions_ > instructions_max
+                       ? fmt::format("is not loaded: scripts may take {} million instructions "
+                                     "together to load",
+                                     instructions_max / 1'000'000)
+                       : fmt::format("is not loaded: scripts may take {} s of the processor's time "
+                                     "together to load",
+                                     cpu_max_s));
+      return;
+    }
+    const std::int64_t before = context_.instructions_of_calls;
+    const double begin_s = cpu_now_s();
+    load();
+    instructions_ += context_.instructions_of_calls - before;
+    cpu_s_ += cpu_now_s() - begin_s;
+    if (!keeps_too_much()) return;
+    faults.error({script.file, 0},
+                 fmt::format("is not loaded: scripts may keep {} MiB of texts and tables together",
+                             kept_max >> 20));
+  }
+
+ private:
+  static constexpr std::int64_t instructions_max = 100'000'000;
+  static constexpr double cpu_max_s = 20;
+  static constexpr std::size_t kept_max = std::size_t{64} << 20;
+
+  bool keeps_too_much() {
+    if (context_.memory.bytes() <= bytes_before_ + kept_max) return false;
+    std::size_t kept = 0;
+    lua_.run([&](lua_State* L) { kept = context_.memory.kept_bytes(L); });
+    return kept > bytes_before_ + kept_max;
+  }
+
+  LuaState& lua_;
+  LuaContext& context_;
+  std::size_t bytes_before_;
+  std::int64_t instructions_ = 0;
+  double cpu_s_ = 0;
+};
+
+}  // namespace
+
+void Catalog::load_one(EventLibrary& library, const Script& script, Faults& faults,
+                       Faults& event_faults) {
+  switch (script.kind) {
+    case ScriptKind::event:
+      library.load(script, event_faults);
+      break;
+    case ScriptKind::rover:
+      load_rover_script(library.lua(), script, faults);
+      break;
+    case ScriptKind::soil:
+      if (auto soil = load<Soil>(library.lua(), script, soil_kind, faults)) {
+        soils_[script.name] = std::move(*soil);
+      }
+      break;
+    case ScriptKind::terrain:
+      if (auto terrain = load<TerrainScript>(library.lua(), script, terrain_kind, faults)) {
+        complete(*terrain, script, soils_, faults);
+        if (!faults.has_errors()) terrains_[script.name] = std::move(terrain->spec);
+      }
+      break;
+    case ScriptKind::shared:
+      break;  // runs for the scripts that require it
+  }
+}
+
 // Terrains name soils, so soils come before terrains in scripts_.
 void Catalog::load_all() {
   EventLibrary library;
-  library.lua().context().scripts = &scripts_;
+  LuaContext& context = library.lua().context();
+  context.scripts = &scripts_;
+  LoadBudget budget(library.lua());
   std::map<std::string, Faults> event_faults;
   for (const Script& script : scripts_) {
+    if (script.kind == ScriptKind::shared) continue;
+    const bool is_event = script.kind == ScriptKind::event;
     Faults faults;
-    switch (script.kind) {
-      case ScriptKind::event:
-        library.load(script, event_faults[script.name]);
-        break;
-      case ScriptKind::rover:
-        load_rover_script(library.lua(), script, faults);
-        break;
-      case ScriptKind::soil:
-        if (auto soil = load<Soil>(library.lua(), script, soil_kind, faults)) {
-          soils_[script.name] = std::move(*soil);
-        }
-        break;
-      case ScriptKind::terrain:
-        if (auto terrain = load<TerrainScript>(library.lua(), script, terrain_kind, faults)) {
-          complete(*terrain, script, soils_, faults);
-          if (!faults.has_errors()) terrains_[script.name] = std::move(terrain->spec);
-        }
-        break;
-      case ScriptKind::shared:
-        continue;  // runs for the scripts that require it
-    }
-    required_[{script.kind, script.name}] = library.lua().context().required;
+    Faults& of_event = is_event ? event_faults[script.name] : faults;
+    context.required.clear();
+    budget.spend(script, of_event, [&] { load_one(library, script, faults, of_event); });
+    required_[{script.kind, script.name}] = context.required;
+    if (is_event && of_event.has_errors()) library.remove(script.name);
     add_broken(script, faults);
   }
   library.check_sub_events(event_faults);

@@ -71,6 +71,8 @@ constexpr std::array<ConditionName, 4> questions{
      {"is_linked_to", "is_linked_to(id): the same, in range, and both antennas up"},
      {"resource", "resource(name): what is left of it"}}};
 
+// A condition is compiled whenever it is asked, which is each second while an event waits for it.
+constexpr std::size_t condition_bytes_max = 4000;
 constexpr double share_of_call = 0.01;  // of a call's budgets, enough for an expression
 
 // Upvalue 1 of the functions: the rover.
@@ -123,6 +125,10 @@ void push_names(lua_State* L, const SampleRow& row, const RoverPort& rover) {
 // Compiles the condition and pushes its function, or returns what is wrong with the text. The text
 // is put on separate lines, so that a comment in it ends.
 std::string push_function(lua_State* L, const std::string& text) {
+  if (text.size() > condition_bytes_max) {
+    return fmt::format("it has {} characters; a condition may have {}", text.size(),
+                       condition_bytes_max);
+  }
   const auto failure = load_text(L, "return (\n" + text + "\n)", "condition");
   if (!failure) {
     // "a) or (b" compiles inside the added parentheses, but is no expression.

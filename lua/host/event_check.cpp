@@ -13,6 +13,12 @@ namespace lsos {
 
 namespace {
 
+// A condition as a message shows it.
+std::string shortened(const std::string& condition) {
+  constexpr std::size_t bytes_max = 300;
+  return condition.size() <= bytes_max ? condition : condition.substr(0, bytes_max) + " ...";
+}
+
 // Where all that is drawn lies.
 void add_spans(const Plan& plan, ConditionWorld& world) {
   std::vector<Geodetic> places;
@@ -80,8 +86,8 @@ void check_events(const Plan& plan, const MissionFiles& files, Faults& faults) {
     const auto check = [&](const char* name, const PlanEvent::Condition& condition) {
       if (condition.text.empty()) return;
       const auto told = [&](const std::string& what) {
-        return fmt::format("{} '{}': {} = {}: {}", event.type, event.label, name, condition.text,
-                           what);
+        return fmt::format("{} '{}': {} = {}: {}", event.type, event.label, name,
+                           shortened(condition.text), what);
       };
       const Place place{event.place.file, condition.line};
       if (const std::string fault = host.condition_fault(condition.text, world); !fault.empty()) {

@@ -146,7 +146,7 @@ struct LuaHost::Impl {
   void call_optional(const std::string& type, const char* function, const EventArguments& arguments,
                      Instant mission_start, const Push& push_more, int results, const Read& read) {
     const EventScript& script = library.events().at(type);
-    library.lua().run([&](lua_State* L) {
+    library.run(script, [&](lua_State* L) {
       lua_rawgeti(L, LUA_REGISTRYINDEX, script.functions);
       if (lua_getfield(L, -1, function) != LUA_TFUNCTION) return;
       push_params(L, script.declaration, arguments, mission_start);
@@ -303,7 +303,7 @@ ScriptInstance LuaHost::begin(const std::string& type, const EventArguments& arg
   Instance instance;
   instance.script = &found->second;
   instance.arguments = arguments;
-  impl_->library.lua().run([&](lua_State* L) {
+  impl_->library.run(found->second, [&](lua_State* L) {
     lua_newtable(L);
     lua_newtable(L);
     lua_setfield(L, -2, "state");
@@ -319,7 +319,7 @@ PhaseAnswer LuaHost::run_phase(ScriptInstance id, const std::string& phase_name,
   const EventScript& script = *instance.script;
   const std::string where = "phase " + phase_name;
   PhaseAnswer answer;
-  impl_->library.lua().run([&](lua_State* L) {
+  impl_->library.run(script, [&](lua_State* L) {
     const EventCall call{script.declaration, instance.arguments, id, context, instance.random};
     try {
       lua_rawgeti(L, LUA_REGISTRYINDEX, script.functions);
@@ -347,7 +347,7 @@ PhaseAnswer LuaHost::run_phase(ScriptInstance id, const std::string& phase_name,
 std::string LuaHost::run_abort(ScriptInstance id, PhaseContext& context) {
   Instance& instance = impl_->at(id);
   std::string state;
-  impl_->library.lua().run([&](lua_State* L) {
+  impl_->library.run(*instance.script, [&](lua_State* L) {
     lua_rawgeti(L, LUA_REGISTRYINDEX, instance.script->functions);
     if (lua_getfield(L, -1, "on_abort") != LUA_TFUNCTION) return;
     const int line = definition_line(L);
@@ -380,7 +380,7 @@ void LuaHost::end(ScriptInstance id) {
 std::string LuaHost::save(ScriptInstance id) {
   Instance& instance = impl_->at(id);
   std::string bytes;
-  impl_->library.lua().run([&](lua_State* L) {
+  impl_->library.run(*instance.script, [&](lua_State* L) {
     try {
       bytes = impl_->state_bytes(L, instance);
     } catch (const std::runtime_error& error) {
@@ -394,7 +394,7 @@ std::string LuaHost::save(ScriptInstance id) {
 
 void LuaHost::restore(ScriptInstance id, const std::string& bytes) {
   Instance& instance = impl_->at(id);
-  impl_->library.lua().run([&](lua_State* L) { Impl::read_state(L, instance, bytes); });
+  impl_->library.run(*instance.script, [&](lua_State* L) { Impl::read_state(L, instance, bytes); });
 }
 
 }  // namespace lsos

@@ -1,23 +1,38 @@
 #include "lua/host/script_folders.h"
 
+#include <sys/stat.h>
+
 #include <filesystem>
+#include <optional>
+#include <set>
 #include <sstream>
+#include <utility>
 
 namespace lsos {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+// What a folder has in common with all other names of it; absent where there is none.
+std::optional<std::pair<dev_t, ino_t>> identity(const std::string& folder) {
+  struct stat status {};
+  if (stat(folder.c_str(), &status) != 0) return {};
+  return std::pair(status.st_dev, status.st_ino);
+}
+
+}  // namespace
+
 std::vector<ScriptFolder> script_folders(const std::string& plan_file, const std::string& lsos_path,
                                          const std::string& shipped_folder) {
   std::vector<ScriptFolder> folders;
+  std::set<std::pair<dev_t, ino_t>> known;
+  const auto shipped = identity(shipped_folder);
   // A folder that occurs twice counts at its first place.
   const auto add = [&](const std::string& folder, const std::string& shown) {
-    std::error_code is_absent;
-    for (const ScriptFolder& earlier : folders) {
-      if (fs::equivalent(folder, earlier.path, is_absent)) return;
-    }
-    const bool is_shipped = fs::equivalent(folder, shipped_folder, is_absent);
-    folders.push_back({folder, is_shipped ? "" : shown});
+    const auto own = identity(folder);
+    if (own && !known.insert(*own).second) return;
+    folders.push_back({folder, own && own == shipped ? "" : shown});
   };
   const std::string beside = fs::path(plan_file).parent_path().string();
   add(beside.empty() ? "." : beside, beside);

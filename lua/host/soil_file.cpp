@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
+#include "base/bounded_file.h"
 #include "lua/api/constructors.h"
 #include "lua/api/terrain_constructors.h"
 #include "lua/host/event_library.h"
 #include "lua/runtime/loader.h"
+#include "lua/runtime/source_budget.h"
 
 namespace lsos {
 
@@ -36,13 +36,15 @@ Soil soil_on_top(lua_State* L, const Script& script, Faults& faults) {
 }  // namespace
 
 Soil read_soil_file(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw InputError({file, 0}, "cannot be read");
+  FileBounds bounds;
+  bounds.bytes_max = source_bytes_max;
+  Parsed<std::string> source = read_bounded(file, bounds);
+  if (!source) throw InputError({file, 0}, source.why);
   Script script;
   script.kind = ScriptKind::soil;
   script.name = std::filesystem::path(file).stem().string();
   script.file = file;
-  script.source = {std::istreambuf_iterator<char>(in), {}};
+  script.source = *std::move(source.value);
 
   EventLibrary library;
   Faults faults;

@@ -28,6 +28,7 @@ struct Limits {
   std::int64_t instructions = 3'000'000;
   std::size_t memory_bytes = std::size_t{256} << 20;
   double cpu_s = 0.5;
+  double compile_cpu_s = 1;  // of one text, likewise
 };
 
 // Bytes that one call may allocate per instruction of its budget, kept or not.
@@ -64,6 +65,7 @@ struct LuaContext {
   // Whether a script's call is running; otherwise nothing is charged.
   bool is_charging = false;
   std::int64_t instructions_max = 0, instructions_left = 0;  // of the call
+  std::int64_t instructions_of_calls = 0;                    // that have ended, together
   std::optional<double> cpu_end_s;  // of the call, by cpu_now_s(); set at the first check
   // Notes that the call has written into the log.
   int notes = 0;
@@ -83,6 +85,7 @@ struct LuaContext {
   std::optional<std::string> equipment_fault;
 
   Faults* load_faults = nullptr;    // while a script loads
+  int scripts_loaded = 0;           // numbers them as owners of texts
   const Script* loading = nullptr;  // the same; what it requires or is derived from is not loading
   // Scripts that the one that loads may use; nullptr for none.
   const std::vector<Script>* scripts = nullptr;

@@ -1,5 +1,7 @@
 #include "lua/runtime/environment.h"
 
+#include <fmt/format.h>
+
 #include <stdexcept>
 
 #include "lua/runtime/read_only.h"
@@ -39,6 +41,10 @@ void push_open_environment(lua_State* L) {
 }
 
 void run_within(lua_State* L, const Script& script) {
+  if (!script.unread.empty()) {
+    throw std::runtime_error(fmt::format("{} {}", script.file, script.unread));
+  }
+  charge_bytes(L, script.source.size());  // no count hook sees the parser
   if (const auto failure = load_text(L, script.source, script.file)) {
     throw std::runtime_error(failure->message);
   }

@@ -27,6 +27,11 @@ void add_failure(const Script& script, const LuaFailure& failure, Faults& faults
 
 bool run_script(lua_State* L, const Script& script, Faults& faults) {
   forget_shared_scripts(L);
+  if (!script.unread.empty()) {
+    faults.error({script.file, 0}, script.unread);
+    return false;
+  }
+  const TextOwner owner(context(L).memory, ++context(L).scripts_loaded);
   if (const auto failure = load_text(L, script.source, script.file)) {
     add_failure(script, *failure, faults);
     return false;

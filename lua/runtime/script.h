@@ -14,6 +14,8 @@ struct Script {
   std::string folder;  // its folder; base of relative names in it
   std::string source;
   std::string sha256;  // of the source
+  std::string unread;  // why the source is not here: "is a folder"; "" where it is
+  bool is_shipped = false;
 };
 
 // A folder of scripts, and the prefix of its files' names in messages: `shown`/events/Route.lua.

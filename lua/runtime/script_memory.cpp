@@ -97,7 +97,7 @@ void* ScriptMemory::grow(void* block, std::size_t old_size, std::size_t new_size
     stack_bytes_ = new_size;
   }
   if (is_text && new_size > long_text_bytes) {
-    long_texts_[moved] = new_size;
+    long_texts_[moved] = {new_size, owner_};
     longest_text_ = std::max(longest_text_, new_size);
     has_new_long_text_ = true;
     shorten_hook_interval();
@@ -133,7 +133,10 @@ void ScriptMemory::begin_call(lua_State* L, std::size_t traffic_max, bool is_pha
   if (is_phase) metatables_ = metatables_kept_;
   has_new_long_text_ = false;
   longest_text_ = 0;
-  for (const auto& [block, bytes] : long_texts_) longest_text_ = std::max(longest_text_, bytes);
+  for (const auto& [block, text] : long_texts_) {
+    const bool is_reached = text.owner == 0 || text.owner == owner_;
+    if (is_reached) longest_text_ = std::max(longest_text_, text.bytes);
+  }
   refusal_ = nullptr;
   refused_at_[0] = '\0';
   traffic_ = 0;
@@ -152,6 +155,11 @@ std::int64_t ScriptMemory::weight() const {
   const std::size_t chain = metatables_ / metatables_per_weight;
   weight += chain * chain;  // each __call moves all values before it
   return static_cast<std::int64_t>(weight);
+}
+
+std::size_t ScriptMemory::kept_bytes(lua_State* L) {
+  collect(L);
+  return bytes_;
 }
 
 std::int64_t ScriptMemory::collect_if_due(lua_State* L) {

@@ -31,6 +31,14 @@ class ScriptMemory {
   // Place of the refusal: "file:line: ".
   const char* refused_at() const { return refused_at_; }
 
+  // Sets whose texts are made and used from here on, a script's number; 0: everybody's. Long texts
+  // of other scripts cannot be reached from it and make its instructions no dearer.
+  void set_owner(int owner) { owner_ = owner; }
+  int owner() const { return owner_; }
+
+  // What is in use now, after a collection.
+  std::size_t kept_bytes(lua_State* L);
+  std::size_t bytes() const { return bytes_; }
   std::size_t bytes_max() const { return bytes_max_; }
   std::size_t traffic_max() const { return traffic_max_; }
 
@@ -77,9 +85,29 @@ class ScriptMemory {
   std::size_t metatables_kept_ = 0;  // those not made by phases
   bool is_phase_ = false;
 
-  std::unordered_map<const void*, std::size_t> long_texts_;  // bytes by block; order is never used
+  struct LongText {
+    std::size_t bytes = 0;
+    int owner = 0;
+  };
+  std::unordered_map<const void*, LongText> long_texts_;  // by block; order is never used
+  int owner_ = 0;
   bool has_new_long_text_ = false;
   std::size_t longest_text_ = 0;  // of the texts that existed in this call
+};
+
+// Scope in which texts are those of one script.
+class TextOwner {
+ public:
+  TextOwner(ScriptMemory& memory, int owner) : memory_(memory), before_(memory.owner()) {
+    memory_.set_owner(owner);
+  }
+  ~TextOwner() { memory_.set_owner(before_); }
+  TextOwner(const TextOwner&) = delete;
+  TextOwner& operator=(const TextOwner&) = delete;
+
+ private:
+  ScriptMemory& memory_;
+  int before_;
 };
 
 // Writes the place of the innermost script function, "file:line: " or "", without allocating.

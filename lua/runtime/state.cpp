@@ -10,6 +10,8 @@
 #include <cstdlib>
 #include <utility>
 
+#include "lua/runtime/source_budget.h"
+
 namespace lsos {
 
 namespace {
@@ -163,13 +165,66 @@ void LuaState::run(const std::function<void(lua_State*)>& body) {
   throw InternalError(message);
 }
 
+namespace {
+
+// A text that is given to the parser line by line, which then can be stopped, and whose errors
+// without a place have one.
+struct Feed {
+  std::string_view rest;
+  int line = 1;  // that is read
+  bool is_line_read = false;
+  double cpu_end_s = 0;
+};
+
+const char* feed_line(lua_State* L, void* data, std::size_t* size) {
+  constexpr std::size_t bytes_max = 256;
+  Feed& feed = *static_cast<Feed*>(data);
+  if (cpu_now_s() > feed.cpu_end_s) {
+    lua_pushfstring(L, "takes more than %f s of the processor's time to compile",
+                    context(L).limits.compile_cpu_s);
+    lua_error(L);
+  }
+  const std::string_view begin = feed.rest.substr(0, bytes_max);
+  const std::size_t end = begin.find('\n');
+  const std::string_view line = begin.substr(0, end == std::string_view::npos ? end : end + 1);
+  if (feed.is_line_read) ++feed.line;
+  feed.is_line_read = end != std::string_view::npos;
+  feed.rest.remove_prefix(line.size());
+  *size = line.size();
+  return line.data();
+}
+
+// Errors of the parser that are about its own stack do not say where.
+std::string with_place(const std::string& message, const std::string& file, int line) {
+  if (split_place(message, file).first.line != 0) return message;
+  const bool is_nesting = message.find("C stack overflow") != std::string::npos;
+  return fmt::format(
+      "{}:{}: {}", file, line,
+      is_nesting ? "is nested too deeply: brackets, blocks, functions, '..' and '^' may lie some "
+                   "190 deep in each other"
+                 : message);
+}
+
+}  // namespace
+
 std::optional<LuaFailure> load_text(lua_State* L, const std::string& source,
                                     const std::string& file) {
+  if (const auto fault = source_fault(source)) {
+    if (fault->line == 0) return LuaFailure{fault->what, ""};
+    return LuaFailure{fmt::format("{}:{}: {}", file, fault->line, fault->what), ""};
+  }
   const std::string chunk = "@" + file;
-  if (luaL_loadbufferx(L, source.data(), source.size(), chunk.c_str(), "t") == LUA_OK) return {};
-  LuaFailure failure{error_text(L, -1), ""};
+  Feed feed{source, 1, false, cpu_now_s() + context(L).limits.compile_cpu_s};
+  const int status = lua_load(L, feed_line, &feed, chunk.c_str(), "t");
+  if (status == LUA_OK) return {};
+  std::string message = error_text(L, -1);
   lua_pop(L, 1);
-  return failure;
+  if (status == LUA_ERRMEM) {
+    return LuaFailure{fmt::format("more than {} MiB of memory for all scripts together",
+                                  context(L).memory.bytes_max() >> 20),
+                      ""};
+  }
+  return LuaFailure{with_place(message, file, feed.line), ""};
 }
 
 std::optional<LuaFailure> call_script(lua_State* L, int argument_count, int result_count,
@@ -197,6 +252,7 @@ std::optional<LuaFailure> call_script(lua_State* L, int argument_count, int resu
   lua_sethook(L, nullptr, 0, 0);
   ctx.is_charging = false;
   ctx.memory.end_call();
+  ctx.instructions_of_calls += ctx.instructions_max - ctx.instructions_left;
   lua_remove(L, handler);
   if (status == LUA_OK) return {};
 

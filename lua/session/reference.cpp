@@ -97,6 +97,17 @@ getmetatable tonumber tostring type xpcall require` and the libraries `math`, `s
 - A call may write 1000 rows into the log's notes, of 1 MiB together; `ev.state` may take 1 MiB. Of a
   run's warnings the first 1000 are listed, the others counted; all are in the notes. Its log takes
   50 GB at most, or what `--log-max` says.
+- A script may have 1 MiB of text, 1000 `and` and `or` in one expression, 1000 `elseif` in one `if`
+  and 2000 `break`, `goto` and labels, and take 1 s of the processor's time to compile. This holds for
+  a plan's `Variant` too.
+- A folder may have 1000 scripts of a kind. All scripts that are not shipped may have 16 MiB of text
+  together, take 100 million instructions, or 20 s of the processor's time, to load, and keep 64 MiB
+  of texts and tables.
+- A rover has at most 200 arms, knuckles, limb segments and wheels, none farther than 100 m from its
+  middle, 100 configurations, 1000 shapes, and 100 panels, loads, resources and antennas each; its
+  chassis is at most 100 m long, its shapes, panels and antennas lie within 1000 m.
+- A script beyond these limits, or one that cannot be read (a link that leads nowhere, a pipe, a
+  folder), is left out as a broken one is: only a plan that uses it is refused, with its name.
 - A metatable with `__gc` or `__mode` is refused; set later, neither has an effect.
 - `print` writes a row into the log's notes.
 
@@ -110,8 +121,8 @@ constexpr const char* conditions = R"(
 comparisons and `math`, over these quantities of its rover: `charge < 0.3 and sun_fraction == 0`.
 They are asked when the event's turn comes (or it starts), then at whole seconds. A quantity that is
 not modelled is not-a-number: comparisons with it are false, except `~=`, which is true. What was decided is in the log's notes.
-Texts stand for ids: they have no methods here, and there are no tables. A condition may take a
-hundredth of the instructions of a call.
+Texts stand for ids: they have no methods here, and there are no tables. A condition may have
+4000 characters and take a hundredth of the instructions of a call.
 
 `slip` and `slip_max` are those of driving here: means over the last second in which the wheels were
 told to roll at half the requested speed or more, also of a rover that digs itself in. While it sets off,

@@ -12,8 +12,8 @@ RasterBlocks spread_blocks(GDALRasterBand& band, std::int64_t most_cells) {
   // A block of more than `most_cells` counts as lines of it.
   const std::int64_t lines = std::max<std::int64_t>(1, most_cells / width);
   height = static_cast<int>(std::min<std::int64_t>(height, lines));
-  const std::int64_t across = (band.GetXSize() + width - 1) / width;
-  const std::int64_t down = (band.GetYSize() + height - 1) / height;
+  const std::int64_t across = (std::int64_t{band.GetXSize()} + width - 1) / width;
+  const std::int64_t down = (std::int64_t{band.GetYSize()} + height - 1) / height;
   const std::int64_t count = across * down, cells = std::int64_t{width} * height;
   const std::int64_t read = std::clamp<std::int64_t>(most_cells / cells, 1, count);
   RasterBlocks result{{}, cells, read == count};

@@ -4,6 +4,7 @@
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <mutex>
 #include <regex>
@@ -18,6 +19,9 @@ namespace lsos {
 namespace {
 
 namespace fs = std::filesystem;
+
+// Widest raster, so that whole numbers of columns and rows can be added.
+constexpr int cells_across_max = 1'000'000'000;
 
 void prepare_gdal() {
   register_drivers();
@@ -134,6 +138,10 @@ std::unique_ptr<GDALDataset> open_raster(const RasterSurface& surface, const Ras
   if (dataset->GetRasterXSize() < 2 || dataset->GetRasterYSize() < 2) {
     name.refuse(fmt::format("has {} x {} cells; at least 2 x 2 are needed",
                             dataset->GetRasterXSize(), dataset->GetRasterYSize()));
+  }
+  if (std::max(dataset->GetRasterXSize(), dataset->GetRasterYSize()) > cells_across_max) {
+    name.refuse(fmt::format("has {} x {} cells; {} x {} are the most", dataset->GetRasterXSize(),
+                            dataset->GetRasterYSize(), cells_across_max, cells_across_max));
   }
   return dataset;
 }
