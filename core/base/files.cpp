@@ -2,7 +2,6 @@
 
 #include <sys/stat.h>
 
-
 #include "base/bounded_file.h"
 #include "base/whole_file.h"
 
