@@ -90,8 +90,8 @@ void print_answer(const ReportOptions& options, const std::string& file,
   }
 }
 
-// Text of the run's estimate, "" where it cannot be made. One that is made is kept with the run, but
-// not where the page goes elsewhere: that leaves the run as it is.
+// Text of the run's estimate, "" where it cannot be made. One that is made is kept with the run,
+// but not where the page goes elsewhere: that leaves the run as it is.
 std::string estimate_of(const ReportOptions& options, const std::string& folder,
                         const LogReader& log, std::vector<std::string>& left_out) {
   if (!options.has_estimate) return "";

@@ -63,7 +63,7 @@ const std::vector<Library>& libraries() {
       {std::regex("(gdal|ogr|cpl_)[^/]*\\.h"),
        {"access", "terrain", "record", "plan", "interchange"}},
       {std::regex("proj\\.h"), {"access"}},
-      {std::regex("dlfcn\\.h"), {"access"}},  // PROJ's own function behind ours
+      {std::regex("dlfcn\\.h"), {"access"}},    // PROJ's own function behind ours
       {std::regex("sqlite3\\.h"), {"record"}},  // logs, cell by cell
       {std::regex("erfa[a-z]*\\.h"), {"planet"}},
       {std::regex("tinyxml2\\.h"), {"plan", "interchange"}},
