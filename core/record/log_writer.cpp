@@ -9,6 +9,7 @@
 #include "record/checkpoint_table.h"
 #include "record/gpkg.h"
 #include "record/log.h"
+#include "record/row_layer.h"
 
 namespace lsos {
 
@@ -19,50 +20,6 @@ using Clock = std::chrono::steady_clock;
 // Wall time after which rows are committed: the most that a reader or a kill may miss.
 constexpr std::chrono::milliseconds commit_period{900};
 
-// Writes the rows of one layer, fids counted from 1.
-template <class Row>
-class RowLayer {
- public:
-  void open(OGRLayer& layer) {
-    layer_ = &layer;
-    feature_ = gpkg::Feature(OGRFeature::CreateFeature(layer.GetLayerDefn()));
-  }
-
-  bool append(const Row& row, Instant start) {
-    fill(row, start, ++last_fid_);
-    return layer_->CreateFeature(feature_.get()) == OGRERR_NONE;
-  }
-
-  bool update(std::int64_t fid, const Row& row, Instant start) {
-    fill(row, start, fid);
-    return layer_->SetFeature(feature_.get()) == OGRERR_NONE;
-  }
-
-  std::int64_t last_fid() const { return last_fid_; }
-  void set_last_fid(std::int64_t fid) { last_fid_ = fid; }
-
-  // Writes the layer's extent into the file's table of contents; map viewers zoom to it.
-  bool sync() { return layer_->SyncToDisk() == OGRERR_NONE; }
-
- private:
-  void fill(const Row& row, Instant start, std::int64_t fid) {
-    feature_->SetFID(fid);
-    int field = 0;
-    for (const Column<Row>& column : columns<Row>()) {
-      gpkg::set_value(*feature_, field++, column.value(row, start));
-    }
-    if constexpr (requires { row.line; }) {
-      gpkg::set_line(*feature_, row.line);
-    } else if (layer_->GetGeomType() != wkbNone) {
-      gpkg::set_point(*feature_, place_of(row));
-    }
-  }
-
-  OGRLayer* layer_ = nullptr;
-  gpkg::Feature feature_;
-  std::int64_t last_fid_ = 0;
-};
-
 }  // namespace
 
 struct LogWriter::Impl {
@@ -71,18 +28,18 @@ struct LogWriter::Impl {
   // Declared before the layers' features, which need its column definitions until destroyed.
   gpkg::Dataset dataset;
   std::optional<FileIdentity> identity;  // of the file that the dataset writes
-  RowLayer<SampleRow> samples;
-  RowLayer<JointRow> joints;
-  RowLayer<PanelRow> panels;
-  RowLayer<PairRow> pairs;
-  RowLayer<SightIntervalRow> sight_intervals;
-  RowLayer<ResourceRow> resources;
-  RowLayer<EventRow> events;
-  RowLayer<PhaseRow> phases;
-  RowLayer<PlannedPathRow> planned_paths;
-  RowLayer<NoteRow> notes;
-  RowLayer<RunRow> run;
-  RowLayer<OrderRow> orders;
+  gpkg::RowLayer<SampleRow> samples;
+  gpkg::RowLayer<JointRow> joints;
+  gpkg::RowLayer<PanelRow> panels;
+  gpkg::RowLayer<PairRow> pairs;
+  gpkg::RowLayer<SightIntervalRow> sight_intervals;
+  gpkg::RowLayer<ResourceRow> resources;
+  gpkg::RowLayer<EventRow> events;
+  gpkg::RowLayer<PhaseRow> phases;
+  gpkg::RowLayer<PlannedPathRow> planned_paths;
+  gpkg::RowLayer<NoteRow> notes;
+  gpkg::RowLayer<RunRow> run;
+  gpkg::RowLayer<OrderRow> orders;
   std::map<std::pair<std::string, std::int64_t>, std::int64_t> event_fids;
   std::map<std::string, std::int64_t> run_fids;
   Clock::time_point last_commit = Clock::now();
@@ -172,7 +129,7 @@ struct LogWriter::Impl {
   }
 
   template <class Row>
-  static std::string_view name_of(const RowLayer<Row>&) {
+  static std::string_view name_of(const gpkg::RowLayer<Row>&) {
     return layer_name<Row>;
   }
 
@@ -233,13 +190,13 @@ struct LogWriter::Impl {
   }
 
   template <class Row>
-  void append(RowLayer<Row>& layer, const Row& row) {
+  void append(gpkg::RowLayer<Row>& layer, const Row& row) {
     attempt("writing", [&] { return layer.append(row, start); });
   }
 
   // Writes the row, or updates the one that was already written for this key.
   template <class Row, class Key>
-  void upsert(RowLayer<Row>& layer, std::map<Key, std::int64_t>& fids, const Key& key,
+  void upsert(gpkg::RowLayer<Row>& layer, std::map<Key, std::int64_t>& fids, const Key& key,
               const Row& row) {
     const auto known = fids.find(key);
     if (known != fids.end()) {
