@@ -70,15 +70,5 @@ TEST(ForeignState, is_not_cut_or_lengthened) {
   EXPECT_THAT(refusal(mission, state + "x"), HasSubstr("longer than the program expects"));
 }
 
-TEST(ForeignState, is_of_this_mission) {
-  Mission other;
-  other.rover("A");
-  other.event("Hold", 5);
-  EXPECT_NE(refusal(two_rovers(), state_at(other, 1)), "");
-  Mission fewer = two_rovers();
-  fewer.setup_.plan.events.pop_back();
-  EXPECT_THAT(refusal(fewer, state_at(two_rovers(), 5)), HasSubstr("other events"));
-}
-
 }  // namespace
 }  // namespace lsos
