@@ -98,8 +98,12 @@ std::string did_you_mean(std::string_view name, std::span<const std::string> kno
   const std::string* nearest = nullptr;
   int best = static_cast<int>(name.size()) / 3 + 2;  // a larger distance is hardly a typing error
   for (const std::string& candidate : known) {
-    const int distance = edit_distance(wanted, lower(candidate));
-    if (distance < best) {
+    const std::string other = lower(candidate);
+    const int distance = edit_distance(wanted, other);
+    // One or two letters, such as a rover's id, are near to each other whatever they are.
+    const bool is_short = std::min(wanted.size(), other.size()) < 3;
+    const bool begins = wanted.starts_with(other) || other.starts_with(wanted);
+    if (distance < best && (!is_short || begins)) {
       best = distance;
       nearest = &candidate;
     }

@@ -66,7 +66,8 @@ class Faults {
 int edit_distance(std::string_view a, std::string_view b);
 
 // "; did you mean 'Speed'?" when a known name is near enough to `name`, else ""; always "" for
-// names longer than 64 bytes.
+// names longer than 64 bytes. Of two names one of which has one or two letters, one begins as the
+// other.
 std::string did_you_mean(std::string_view name, std::span<const std::string> known);
 
 [[noreturn]] void assertion_failed(const char* condition, const char* file, int line);

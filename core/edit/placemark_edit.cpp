@@ -154,6 +154,11 @@ void set_places(PlanDocument& document, const PlanMark& mark, const SourceGeomet
   if (!wanted.kind.empty()) add_geometry(document.dom(), mark.element, wanted);
 }
 
+void move_point(PlanDocument& document, std::size_t index, const std::string& tuple) {
+  const std::vector<KmlElement> texts = coordinates_of(document.dom().placemarks().at(index));
+  if (texts.size() == 1) set_coordinates(texts.front(), tuple, false);
+}
+
 void set_type(PlanDocument& document, PlanMark& mark, const std::string& type) {
   const KmlElement data = schema_data(mark);
   const bool says_type = !document.field(mark, "Type").empty();

@@ -110,9 +110,8 @@ RowChanges row_changes(const KmlSource& things, const std::vector<SourcePlacemar
   return changes;
 }
 
-std::vector<ThingKey> removable(const RowChanges& changes,
-                                const std::vector<SourcePlacemark>& rows) {
-  std::set<ThingKey::Kind> kinds;
+std::vector<ThingKey> removable(const RowChanges& changes, const std::vector<SourcePlacemark>& rows,
+                                std::set<ThingKey::Kind> kinds) {
   for (const SourcePlacemark& row : rows) {
     if (const std::optional<ThingKey> key = key_of(row)) kinds.insert(key->kind);
   }

@@ -44,9 +44,9 @@ RowChanges row_changes(const KmlSource& things, const std::vector<SourcePlacemar
                        const Declarations& declarations);
 
 // Those of `without_row` that may be removed for having none: of a kind of which the sheet has
-// rows, and not the mission.
-std::vector<ThingKey> removable(const RowChanges& changes,
-                                const std::vector<SourcePlacemark>& rows);
+// rows, or of `kinds`, and not the mission.
+std::vector<ThingKey> removable(const RowChanges& changes, const std::vector<SourcePlacemark>& rows,
+                                std::set<ThingKey::Kind> kinds = {});
 // Takes them out of `without_row` and `merged`.
 void leave_out(RowChanges& changes, const std::vector<ThingKey>& keys);
 

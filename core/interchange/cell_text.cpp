@@ -68,8 +68,9 @@ std::string with_unit(const std::string& number, const std::string& unit, std::s
 }
 
 std::string boolean_text(const std::string& text) {
-  constexpr std::array<std::string_view, 4> yes{"yes", "y", "x", "true"};
-  constexpr std::array<std::string_view, 4> no{"no", "n", "-", "false"};
+  // TRUE and FALSE of a spreadsheet come as 1 and 0.
+  constexpr std::array<std::string_view, 5> yes{"yes", "y", "x", "true", "1"};
+  constexpr std::array<std::string_view, 5> no{"no", "n", "-", "false", "0"};
   const std::string word = lower(text);
   if (std::ranges::find(yes, word) != yes.end()) return "true";
   if (std::ranges::find(no, word) != no.end()) return "false";

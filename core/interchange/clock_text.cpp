@@ -69,6 +69,23 @@ std::string_view without_day(std::string_view text) {
 
 }  // namespace
 
+bool is_range(std::string_view text) {
+  std::string_view words = trimmed(text);
+  // "2026-07-01 08:00-10:00": what follows a T is written as ISO 8601 does, with its zone.
+  const std::size_t blank = words.find(' ');
+  if (blank != std::string_view::npos && date_of(words.substr(0, blank))) {
+    words = trimmed(words.substr(blank));
+  }
+  for (const std::string_view sign :
+       {"-", "+", "\xe2\x80\x93", "\xe2\x80\x94", " to ", " until "}) {
+    const std::size_t at = words.find(sign);
+    if (at == std::string_view::npos || !clock_s(trimmed(words.substr(0, at)))) continue;
+    const std::string_view end = trimmed(words.substr(at + sign.size()));
+    if (!end.empty() && std::isdigit(static_cast<unsigned char>(end[0])) != 0) return true;
+  }
+  return false;
+}
+
 Parsed<std::string> date_of_day(std::string_view text, Instant mission_start) {
   std::string_view words = trimmed(text);
   if (auto date = date_of(words.substr(0, words.find_first_of(" T")))) return {*date, {}};
@@ -143,6 +160,12 @@ Parsed<std::string> utc_text(std::string_view text, const TimeContext& context) 
                             "'+0:30'",
                             quoted(std::string(words)))};
       }
+      const bool has_unit = span.find_first_not_of("0123456789.+eE") != std::string_view::npos;
+      if (!has_unit && *parsed.value != 0) {
+        return {{},
+                fmt::format("{} has no unit; '+{} h' or '+{} min' is wanted",
+                            quoted(std::string(words)), span, span)};
+      }
       after_s = parsed.value;
     }
     if (!context.before) {
@@ -152,9 +175,15 @@ Parsed<std::string> utc_text(std::string_view text, const TimeContext& context) 
     }
     return {format_utc(*context.before + from_seconds(*after_s)), {}};
   }
-  // A zone may follow the clock: "08:00Z", "08:00 +02:00".
-  const std::size_t clock_end = std::min(words.find_first_of("Zz+-"), words.size());
-  if (const auto clock = clock_s(trimmed(words.substr(0, clock_end)))) {
+  if (is_range(words)) {
+    return {{},
+            fmt::format("{} is a range, or a clock with a zone; the start alone is wanted, in UTC, "
+                        "such as 08:00 (a zone may follow a date and time: "
+                        "2026-07-01T08:00-05:00)",
+                        quoted(std::string(words)))};
+  }
+  const bool has_zone = words.ends_with('Z') || words.ends_with('z');  // "08:00Z"
+  if (const auto clock = clock_s(trimmed(words.substr(0, words.size() - (has_zone ? 1 : 0))))) {
     if (*clock >= day_s) {
       return {{},
               fmt::format("{}: a clock time is from 00:00 to 23:59; the next day has a Day of "
@@ -167,9 +196,7 @@ Parsed<std::string> utc_text(std::string_view text, const TimeContext& context) 
                           "MissionInfo with StartTime",
                           quoted(std::string(words)))};
     }
-    const std::string_view zone = trimmed(words.substr(clock_end));
-    return {fmt::format("{}T{}{}", context.date, clock_text(*clock), zone.empty() ? "Z" : zone),
-            {}};
+    return {fmt::format("{}T{}Z", context.date, clock_text(*clock)), {}};
   }
   const std::size_t blank = words.find_first_of(" T");
   if (const auto date = date_of(words.substr(0, blank))) {

@@ -30,9 +30,13 @@ struct DayClock {
 // says it, as in a leap second.
 std::optional<DayClock> day_clock(Instant instant, Instant mission_start);
 
+// Whether a text is a span of clocks, "08:00-10:00" or "8:00 to 10", which a zone, "08:00-05:00",
+// cannot be told from.
+bool is_range(std::string_view text);
+
 // A UTC time in ISO 8601 of "2026-07-03 08:00", a clock time "08:00" or "8:00:30" (UTC) on the day
-// of the row, or "+2 h" or "+0:30" after the last start above. Texts that are nothing of these are
-// returned as they are: a reader of fields says what is wrong with them.
+// of the row, or "+2 h" or "+0:30" after the last start above. Refuses ranges. Texts that are
+// nothing of these are returned as they are: a reader of fields says what is wrong with them.
 Parsed<std::string> utc_text(std::string_view text, const TimeContext& context);
 
 // Seconds of a clock or span "1:30" or "01:30:15"; absent when the text is none. The hours may be

@@ -137,7 +137,7 @@ bool is_projected(const Table& table, const std::string& header,
 // Whether things of a plan may be among the rows: always in a sheet; of a map where the layer or a
 // column says so.
 bool may_have_things(const Table& table, const Declarations& declarations) {
-  if (table.has_letters || !name_meant(table.name, declarations).empty()) return true;
+  if (table.has_letters || !type_of_sheet(table, declarations).empty()) return true;
   return std::ranges::any_of(table.header, [](const std::string& header) {
     return header == column::type || header == "RoverId" || header == "Sequence";
   });
@@ -193,6 +193,13 @@ std::string name_meant(const std::string& text, const Declarations& declarations
     if (letters == known || letters == known + "s") return name;
   }
   return "";
+}
+
+std::string type_of_sheet(const Table& table, const Declarations& declarations) {
+  std::string type = name_meant(table.name, declarations);
+  const std::size_t mark = table.name.find_last_of("-_ ");
+  const bool has_words = table.has_letters && mark != std::string::npos;
+  return type.empty() && has_words ? name_meant(table.name.substr(mark + 1), declarations) : type;
 }
 
 Columns::Columns(const Table& table, const Declarations& declarations, Faults& faults) {

@@ -61,6 +61,9 @@ std::size_t known_headers(const std::vector<std::string>& cells, const Declarati
 // The NAME that a text means, in any case of letters, with or without blanks and a plural s:
 // "route", "Path plan route", "Rovers"; "" when it means none.
 std::string name_meant(const std::string& text, const Declarations& declarations);
+// What a sheet or layer is called after, "Rover" of Rovers; "" where it is called otherwise. Of a
+// sheet the last word counts: "mission-Rovers" of a file "mission-Rovers.csv".
+std::string type_of_sheet(const Table& table, const Declarations& declarations);
 // MissionInfo, Rover, Asset and the events.
 std::vector<std::string> plan_names(const Declarations& declarations);
 

@@ -40,7 +40,12 @@ std::vector<EventDay> event_days(const KmlSource& things, const Declarations& de
     if (const std::string* start = thing_field(thing, "StartTime")) {
       const auto found = day_clock_of(*start, *mission);
       days[i].start = found ? found->clock : *start;
-      if (found) day = found->day;
+      // A start without a clock, or on a day that is over, stands whole, and its row says no day.
+      if (!found || found->day < day) {
+        days[i].start = *start;
+        continue;
+      }
+      day = found->day;
     }
     days[i].day = day;
   }

@@ -11,7 +11,7 @@ namespace lsos {
 
 // An event's row in a table.
 struct EventDay {
-  int day = 0;        // 1, 2, ...; 0: no event
+  int day = 0;        // 1, 2, ...; 0: no event, or one whose start stands whole
   std::string start;  // "08:00", or the text of StartTime where no clock is equal to it
 };
 

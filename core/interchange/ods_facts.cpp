@@ -3,6 +3,8 @@
 #include <tinyxml2.h>
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/text.h"
@@ -40,6 +42,7 @@ void add_units(const XMLElement& styles, Units& formats, Units& units) {
        each = each->NextSiblingElement()) {
     const std::string name = attribute(*each, "style:name");
     if (local_name(*each) == "number-style") formats[name] = unit_of(*each);
+    if (local_name(*each) == "percentage-style") formats[name] = std::string("%");
     if (local_name(*each) != "style") continue;
     const std::string format = attribute(*each, "style:data-style-name");
     const std::string parent = attribute(*each, "style:parent-style-name");
@@ -82,6 +85,38 @@ std::vector<std::string> column_styles(const XMLElement& table) {
   return styles;
 }
 
+// Appends the text of a paragraph, with its blanks and line ends, and of the spans and links in it.
+void add_text(const XMLElement& paragraph, std::string& text) {
+  constexpr std::size_t most = 100'000;
+  for (const tinyxml2::XMLNode* node = paragraph.FirstChild();
+       node != nullptr && text.size() < most; node = node->NextSibling()) {
+    if (const tinyxml2::XMLText* words = node->ToText()) text += words->Value();
+    const XMLElement* element = node->ToElement();
+    if (element == nullptr || local_name(*element) == "annotation") continue;
+    if (local_name(*element) == "s") text.append(std::min(count_of(*element, "text:c"), most), ' ');
+    if (local_name(*element) == "tab") text += '\t';
+    if (local_name(*element) == "line-break") text += '\n';
+    add_text(*element, text);
+  }
+}
+
+// The text of a cell without its comment; absent where it has none, or a value of its own.
+std::optional<std::string> text_beside_comment(const XMLElement& cell) {
+  const std::string type = attribute(cell, "office:value-type");
+  if (child(cell, "annotation") == nullptr || (!type.empty() && type != "string")) return {};
+  if (cell.Attribute("office:string-value") != nullptr) return {};
+  std::string text;
+  bool is_first = true;
+  for (const XMLElement* part = cell.FirstChildElement(); part != nullptr;
+       part = part->NextSiblingElement()) {
+    if (local_name(*part) != "p") continue;
+    if (!is_first) text += '\n';
+    is_first = false;
+    add_text(*part, text);
+  }
+  return text;
+}
+
 void add_table(const XMLElement& table, const Units& units, WorkbookFacts& facts) {
   const std::string name = attribute(table, "table:name");
   std::vector<MergedCells>& merged = facts.merged[name];
@@ -102,14 +137,20 @@ void add_table(const XMLElement& table, const Units& units, WorkbookFacts& facts
       std::string style = attribute(*each, "table:style-name");
       if (style.empty() && column < styles.size()) style = styles[column];
       const auto unit = units.find(style);
-      const bool is_number = attribute(*each, "office:value-type") == "float";
-      const bool is_shown = is_number && unit != units.end() && !unit->second.empty();
+      const std::string type = attribute(*each, "office:value-type");
+      const bool is_percent = type == "percentage";
+      const bool has_unit = unit != units.end() && !unit->second.empty();
+      const bool is_shown = is_percent || (type == "float" && has_unit);
+      const std::string shown(is_percent ? "%" : has_unit ? unit->second.c_str() : "");
+      if (auto text = text_beside_comment(*each)) {
+        facts.texts[name][{row, column}] = std::move(*text);
+      }
       // Rows and columns that are repeated with a number in them are few.
       constexpr std::size_t most = 10'000;
       for (std::size_t i = 0; is_shown && i < std::min(rows_repeated, most); ++i) {
         for (std::size_t k = 0; k < std::min(repeated, most); ++k) {
           if (formats.size() >= 1'000'000) return;
-          formats[{row + i, column + k}].unit = unit->second;
+          formats[{row + i, column + k}].unit = shown;
         }
       }
       column += repeated;

@@ -143,7 +143,11 @@ class OutlineReader {
         error(line, fields.why);
         continue;
       }
-      if (!day_.empty()) fields.value->emplace_back(column::day, day_);
+      // Rows below take the day over.
+      if (!day_.empty()) {
+        fields.value->emplace_back(column::day, day_);
+        day_.clear();
+      }
       if (!rover_id_.empty()) fields.value->emplace_back("RoverId", rover_id_);
       add_row(line, *fields.value);
     }
@@ -205,7 +209,8 @@ class OutlineReader {
   const Declarations& declarations_;
   Faults faults_;
   Table events_, places_;
-  std::string day_, rover_id_;
+  std::string day_;  // of the heading, until an item has it
+  std::string rover_id_;
   bool has_heading_ = false;
 };
 

@@ -190,6 +190,17 @@ std::string_view take_time(std::string_view& item) {
   return time;
 }
 
+// "08:00-10:00" or "08:00 - 10:00" at the beginning of an item; "" where it begins otherwise.
+std::string_view leading_range(std::string_view item) {
+  for (std::size_t blank = item.find(' '), words = 0; words < 3; ++words) {
+    const std::string_view text = item.substr(0, blank);
+    if (is_range(text)) return text;
+    if (blank == std::string_view::npos) break;
+    blank = item.find(' ', blank + 1);
+  }
+  return {};
+}
+
 // Takes a clock from the end of an item: "EVA 2 h at 08:00".
 std::string_view take_last_clock(std::string_view& item) {
   const auto [words, time] = split_at_word(item, "at");
@@ -250,6 +261,18 @@ std::string place_text(std::string_view text) {
   return fmt::format("{}", fmt::join(names, "; "));
 }
 
+std::vector<std::string> events_said(std::string_view words, const Declarations& declarations) {
+  std::vector<std::string> events;
+  const std::string said = lower(trimmed(words));
+  for (const Verb& verb : verbs) {
+    const bool is_said = after(verb.words, said) || after(said, verb.words);
+    const bool is_known = declarations.events.contains(verb.type);
+    if (said.empty() || !is_said || !is_known) continue;
+    if (std::ranges::find(events, verb.type) == events.end()) events.emplace_back(verb.type);
+  }
+  return events;
+}
+
 std::string add_fields(const std::vector<std::string>& parts, std::size_t first,
                        const std::string& type, const Declarations& declarations,
                        OutlineFields& fields) {
@@ -287,6 +310,9 @@ Parsed<OutlineFields> parse_item(std::string_view item, const Declarations& decl
   const std::vector<std::string> parts = split_outside(item, ',');
   std::string_view words = parts.front();
   OutlineFields fields;
+  if (const std::string_view range = leading_range(words); !range.empty()) {
+    return {{}, utc_text(range, {}).why};
+  }
   if (const std::string_view time = take_time(words); !time.empty()) {
     fields.emplace_back("StartTime", time);
   }

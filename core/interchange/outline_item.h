@@ -17,6 +17,9 @@ using OutlineFields = std::vector<std::pair<std::string, std::string>>;
 // The event that an item states, with the columns Type, StartTime, Place and its fields.
 Parsed<OutlineFields> parse_item(std::string_view item, const Declarations& declarations);
 
+// The events that the words of an item begin, "PathPlanRoute" and "Route" for "drive", each once.
+std::vector<std::string> events_said(std::string_view words, const Declarations& declarations);
+
 // Adds what the parts after a comma state: "Speed 5 km/h", "as Ridge".
 // Returns why one is not understood, else "".
 std::string add_fields(const std::vector<std::string>& parts, std::size_t first,

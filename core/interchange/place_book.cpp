@@ -207,7 +207,8 @@ std::vector<Landmark> landmarks(const KmlSource& source, const Declarations& dec
     const bool is_point = placemark.geometries.size() == 1 &&
                           placemark.geometries.front().kind == "Point" && !placemark.name.empty();
     if (!is_point || things.contains(&placemark)) continue;
-    found.push_back({placemark.name, placemark.geometries.front().coordinates});
+    const auto index = static_cast<std::size_t>(&placemark - source.placemarks.data());
+    found.push_back({placemark.name, placemark.geometries.front().coordinates, index});
   }
   return found;
 }

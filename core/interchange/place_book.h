@@ -1,6 +1,7 @@
 // Names for the places of a plan that is written as a table or an outline.
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <set>
 #include <string>
@@ -15,6 +16,7 @@ namespace lsos {
 struct Landmark {
   std::string name;
   std::string coordinates;
+  std::size_t index = 0;  // among the document's Placemarks
 };
 
 struct BookedPlace {

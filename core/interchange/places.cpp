@@ -1,6 +1,7 @@
 #include "interchange/places.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -52,6 +53,16 @@ std::vector<std::string> tuples_of(const std::string& coordinates) {
   return tuples;
 }
 
+std::string place_key(const std::string& tuple) {
+  double lon_deg = 0, lat_deg = 0;
+  const char* const end = tuple.data() + tuple.size();
+  const auto lon = std::from_chars(tuple.data(), end, lon_deg);
+  if (lon.ec != std::errc() || lon.ptr == end || *lon.ptr != ',') return "";
+  const auto lat = std::from_chars(lon.ptr + 1, end, lat_deg);
+  if (lat.ec != std::errc() || (lat.ptr != end && *lat.ptr != ',')) return "";
+  return fmt::format("{},{}", lon_deg, lat_deg);
+}
+
 void PlaceNames::add(const std::string& name, NamedPlace place) {
   places_.emplace(name, std::move(place));
 }
@@ -69,7 +80,47 @@ std::string PlaceNames::known_name(const std::string& text) const {
   return name_in_any_case(text, names());
 }
 
+std::string PlaceNames::point(const std::string& name) const {
+  const auto [first, last] = places_.equal_range(name);
+  const bool is_one = first != last && std::next(first) == last;
+  return is_one && first->second.geometry.kind == "Point" ? first->second.geometry.coordinates : "";
+}
+
+std::string PlaceNames::name_at(const std::string& key) const {
+  for (const auto& [name, place] : places_) {
+    const bool is_point = place.geometry.kind == "Point" && !place.is_owner;
+    if (is_point && place_key(place.geometry.coordinates) == key) return name;
+  }
+  return "";
+}
+
 std::string PlaceNames::hint(const std::string& name) const { return did_you_mean(name, names()); }
+
+// How a text of several places with other separators is written, or a pair of numbers; else "".
+std::string PlaceNames::how_to_write(const std::string& text) const {
+  for (const char* separator :
+       {"->", "\xe2\x86\x92", ">", "\n", "/", ",", "|", "+", " to ", " - "}) {
+    std::vector<std::string> parts;
+    bool are_known = true;
+    for (std::size_t from = 0; from <= text.size();) {
+      const std::size_t end = std::min(text.find(separator, from), text.size());
+      parts.emplace_back(trimmed(std::string_view(text).substr(from, end - from)));
+      from = end + std::string_view(separator).size();
+      are_known = are_known && (parts.back().empty() || has(parts.back()));
+    }
+    std::erase(parts, "");
+    if (parts.size() < 2 || !are_known) continue;
+    return fmt::format("several places are written with ';' between them: '{}'",
+                       fmt::join(parts, "; "));
+  }
+  std::string numbers = text;
+  for (char& c : numbers) {
+    if (std::string_view("()[],;\t").find(c) != std::string_view::npos) c = ' ';
+  }
+  const std::vector<std::string> parts = tuples_of(numbers);
+  if (parts.size() != 2 || !number_of(parts[0]) || !number_of(parts[1])) return "";
+  return fmt::format("a place is written as 'lon, lat': '{}, {}'", parts[0], parts[1]);
+}
 
 Parsed<SourceGeometry> PlaceNames::one(const std::string& text) const {
   const std::string known = known_name(text);
@@ -85,8 +136,11 @@ Parsed<SourceGeometry> PlaceNames::one(const std::string& text) const {
       if (text.starts_with(keyword)) return parse_wkt(text);
     }
     const std::vector<std::string> known_names = names();
-    if (known_names.empty()) {
+    if (known_names.empty() && how_to_write(text).empty()) {
       return {{}, "there are no places: a map, or a sheet with names and Lon and Lat, has them"};
+    }
+    if (const std::string how = how_to_write(text); !how.empty()) {
+      return {{}, fmt::format("there is no place {}; {}", quoted(text), how)};
     }
     const std::string nearest = hint(text);
     return {{},

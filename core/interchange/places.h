@@ -32,6 +32,10 @@ class PlaceNames {
   bool is_way(const std::string& text) const;
   bool has(const std::string& name) const { return !known_name(name).empty(); }
   bool has_exactly(const std::string& name) const { return places_.contains(name); }
+  // Coordinates of the one Point of that name, "" where there is none; and the name of a Point at a
+  // place by its key, see place_key().
+  std::string point(const std::string& name) const;
+  std::string name_at(const std::string& key) const;
   // "; did you mean 'Ridge'?", or "".
   std::string hint(const std::string& name) const;
   // "'ridge' is taken for 'Ridge'": texts that were understood in another case of letters.
@@ -43,6 +47,7 @@ class PlaceNames {
 
  private:
   Parsed<SourceGeometry> one(const std::string& text) const;
+  std::string how_to_write(const std::string& text) const;
   std::vector<std::string> names() const;
   // The name that a text means, in any case of letters; "" when it means none.
   std::string known_name(const std::string& text) const;
@@ -60,6 +65,8 @@ SourceGeometry own_geometry(const Table& table, const TableRow& row, const Colum
 Parsed<SourceGeometry> parse_wkt(const std::string& text);
 // A geometry as well-known text; its coordinates keep their digits.
 std::string wkt_of(const SourceGeometry& geometry);
+// "30.1,-89.9" of a tuple "30.100,-89.9,12": equal for equal places. "" when it is no place.
+std::string place_key(const std::string& tuple);
 // The tuples "lon,lat" of a text of coordinates.
 std::vector<std::string> tuples_of(const std::string& coordinates);
 

@@ -1,11 +1,7 @@
 #include "interchange/rover_places.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <charconv>
 #include <map>
-#include <numeric>
 #include <tuple>
 
 #include "base/quantity.h"
@@ -29,16 +25,6 @@ std::string end_of(const SourcePlacemark& thing) {
 }
 
 }  // namespace
-
-std::string place_key(const std::string& tuple) {
-  double lon_deg = 0, lat_deg = 0;
-  const char* const end = tuple.data() + tuple.size();
-  const auto lon = std::from_chars(tuple.data(), end, lon_deg);
-  if (lon.ec != std::errc() || lon.ptr == end || *lon.ptr != ',') return "";
-  const auto lat = std::from_chars(lon.ptr + 1, end, lat_deg);
-  if (lat.ec != std::errc() || (lat.ptr != end && *lat.ptr != ',')) return "";
-  return fmt::format("{},{}", lon_deg, lat_deg);
-}
 
 std::vector<std::string> places_before(const KmlSource& plan, const Declarations& declarations) {
   std::vector<std::string> before(plan.placemarks.size());

@@ -9,9 +9,6 @@
 
 namespace lsos {
 
-// "30.1,-89.9" of a tuple "30.100,-89.9,12": equal for equal places. "" when it is no place.
-std::string place_key(const std::string& tuple);
-
 // For each Placemark of a plan the key of the place where its rover stands before it: at the
 // rover's start, then at the end of what it last drove. "" where it is not known, and for what is
 // no event. Each Placemark has one SchemaData.

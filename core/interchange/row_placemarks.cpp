@@ -6,11 +6,12 @@
 #include <map>
 #include <set>
 
+#include "base/quantity.h"
 #include "base/replaced.h"
 #include "interchange/cell_text.h"
-#include "interchange/clock_text.h"
 #include "interchange/decimals.h"
 #include "interchange/names_in_any_case.h"
+#include "interchange/row_times.h"
 #include "interchange/thing_fields.h"
 #include "plan/suggestions.h"
 
@@ -34,11 +35,12 @@ bool is_time(const FieldDeclaration& field) {
 class PlacemarkMaker {
  public:
   PlacemarkMaker(const std::vector<TypedRow>& rows, const Declarations& declarations,
-                 const PlaceNames& places, std::optional<Instant> start, Notes& notes,
-                 Faults& faults)
+                 const PlaceNames& places, MissionStart start, const std::set<ThingId>& drawn,
+                 Notes& notes, Faults& faults)
       : declarations_(declarations),
         places_(places),
-        start_(start),
+        drawn_(drawn),
+        times_(start, notes, faults),
         notes_(notes),
         faults_(faults) {
     for (const TypedRow& row : rows) {
@@ -62,7 +64,11 @@ class PlacemarkMaker {
     placemark_.description = text(column::description);
     data_ = {"", from.type, {}, from.row->number};
     is_event_ = declarations_.events.contains(from.type);
-    if (is_event_) begin_event();
+    if (is_event_) {
+      begin_event();
+    } else {
+      times_.begin(from);
+    }
     add_fields();
     if (is_event_) end_event();
     sort_fields();
@@ -72,55 +78,21 @@ class PlacemarkMaker {
   }
 
  private:
-  // What rows below take over from those above, in one table.
-  struct Above {
-    std::string rover_id;
-    std::string date;  // of the Day: "2026-07-03"
-  };
-  // What rows of one rover take over from the row before.
-  struct Before {
-    std::optional<Instant> start;
-    std::string date;
-  };
-
-  std::string text(const std::string& column) const {
-    return from_->columns->text(*from_->row, column);
-  }
-  Place cell_place(const std::string& column) const {
-    const Column* found = from_->columns->find(column);
-    if (found == nullptr) return {from_->table->file, from_->row->number};
-    return place_of_cell(*from_->table, from_->row->number, found->index);
-  }
+  std::string text(const std::string& column) const { return from_->text(column); }
+  Place cell_place(const std::string& column) const { return from_->cell_place(column); }
   void add_field(const std::string& name, std::string value) {
     const Place place = cell_place(name);
     data_.fields.push_back({name, std::move(value), place.line, place.column});
   }
 
   void begin_event() {
-    Above& above = above_[from_->table];
-    if (const std::string id = text("RoverId"); !id.empty()) above.rover_id = meant(id, rovers_);
-    rover_id_ = above.rover_id;
-    if (const std::string day = text(column::day); !day.empty()) set_date(day, above);
-    date_ = above.date;
-    if (date_.empty() && start_) date_ = *date_of_day("1", *start_).value;
-    before_ = &before_of_[rover_id_];
-    has_day_ = !above.date.empty();
-  }
-
-  void set_date(const std::string& day, Above& above) {
-    if (!start_) {
-      faults_.error(cell_place(column::day),
-                    fmt::format("Day = {}: days are counted from the StartTime of MissionInfo, "
-                                "which is missing or cannot be read",
-                                quoted(day)));
-      return;
-    }
-    const Parsed<std::string> date = date_of_day(day, *start_);
-    if (date) {
-      above.date = *date.value;
-    } else {
-      faults_.error(cell_place(column::day), fmt::format("Day = {}", date.why));
-    }
+    std::string& above = rover_above_[from_->table];
+    if (const std::string id = text("RoverId"); !id.empty()) above = meant(id, rovers_);
+    rover_id_ = above;
+    times_.begin_event(*from_, rover_id_);
+    // Other times count from the row's own start.
+    const Column* start = from_->columns->find("StartTime");
+    if (start != nullptr && !text("StartTime").empty()) add_column("StartTime", *start);
   }
 
   // The id that a text means, in any case of letters; the text where it means none.
@@ -150,7 +122,22 @@ class PlacemarkMaker {
       return add_field(field.name, replaced(cell_text, ",", "."));  // read on as a decimal
     }
     if (is_number && column.unit.empty()) note_unit(field, *number.value, column);
+    if (field.kind == FieldKind::number && column.unit == "%") {
+      warn_of_share(field, *number.value, column);
+    }
     add_field(field.name, field_text(*number.value, field, column.unit, from_->table->has_commas));
+  }
+
+  // Warns of a number in a column of percents that may be meant as a share.
+  void warn_of_share(const FieldDeclaration& field, const std::string& text, const Column& column) {
+    const Parsed<double> value = parse_quantity(text, *find_unit("1"));
+    const bool is_bare = text.find_first_not_of("0123456789.+-eE") == std::string::npos;
+    if (!is_bare || !value || *value.value <= 0 || *value.value > 1) return;
+    faults_.warning(cell_place(field.name),
+                    fmt::format("{0} = {1} under {2} is {1} %; for {3:.10g} % write {3:.10g}, or "
+                                "'{3:.10g} %'",
+                                field.name, text, quoted(from_->table->header.at(column.index)),
+                                *value.value * 100));
   }
 
   // Tells once for a column of a sheet what its numbers without a unit are.
@@ -168,29 +155,30 @@ class PlacemarkMaker {
 
   void add_fields() {
     for (const auto& [name, column] : from_->columns->all()) {
-      const std::string cell_text = text(name);
-      if (is_special(name) || cell_text.empty()) continue;
-      const FieldDeclaration* field = declared_field(from_->type, name, declarations_);
-      if (field == nullptr) {  // reported with the names that there are when the plan is read
-        add_field(name, cell_text);
-        continue;
+      if (!is_event_ || name != "StartTime") add_column(name, column);
+    }
+  }
+
+  void add_column(const std::string& name, const Column& column) {
+    const std::string cell_text = text(name);
+    if (is_special(name) || cell_text.empty()) return;
+    const FieldDeclaration* field = declared_field(from_->type, name, declarations_);
+    // Reported with the names that there are when the plan is read.
+    if (field == nullptr) return add_field(name, cell_text);
+    if (const std::string why = unit_fault(column.unit, *field); !why.empty()) {
+      if (reported_.emplace(from_->table, name).second) {
+        faults_.error(place_of_cell(*from_->table, from_->table->header_number, column.index), why);
       }
-      if (const std::string why = unit_fault(column.unit, *field); !why.empty()) {
-        if (reported_.emplace(from_->table, name).second) {
-          faults_.error(place_of_cell(*from_->table, from_->table->header_number, column.index),
-                        why);
-        }
-        continue;
-      }
-      const bool is_id = field->names == NameOf::other || field->names == NameOf::leader ||
-                         field->names == NameOf::power_source;
-      if (is_time(*field)) {
-        add_time(*field, cell_text, column);
-      } else if (is_id || (is_event_ && name == "RoverId")) {
-        add_field(name, meant(cell_text, is_id ? owners_ : rovers_));
-      } else {
-        add_value(*field, cell_text, column);
-      }
+      return;
+    }
+    const bool is_id = field->names == NameOf::other || field->names == NameOf::leader ||
+                       field->names == NameOf::power_source;
+    if (is_time(*field)) {
+      add_time(*field, cell_text, column);
+    } else if (is_id || (is_event_ && name == "RoverId")) {
+      add_field(name, meant(cell_text, is_id ? owners_ : rovers_));
+    } else {
+      add_value(*field, cell_text, column);
     }
   }
 
@@ -207,52 +195,12 @@ class PlacemarkMaker {
   }
 
   void add_time(const FieldDeclaration& field, const std::string& cell_text, const Column& column) {
-    const TimeContext context =
-        is_event_ ? TimeContext{date_, start_to_count_from()} : TimeContext{"", {}};
     // A moment may be a duration from the start, which begins with a digit and has no colon.
     const bool may_be_duration = field.kind == FieldKind::moment &&
                                  cell_text.find(':') == std::string::npos &&
                                  cell_text.find('-') == std::string::npos;
-    if (may_be_duration && !cell_text.starts_with('+')) {
-      return add_value(field, cell_text, column);
-    }
-    Parsed<std::string> time = utc_text(cell_text, context);
-    const bool takes_first_day = time && is_event_ && !has_day_ && clock_s(cell_text);
-    if (takes_first_day && reported_.emplace(from_->table, column::day).second) {
-      faults_.warning(
-          cell_place(field.name),
-          fmt::format("{} = {}: no Day is said, so clock times of this sheet are of day "
-                      "1, {}",
-                      field.name, cell_text, date_));
-    }
-    if (time && is_event_ && has_day_) note_other_days(cell_text);
-    if (time && !parse_utc(*time.value)) {
-      time.why = fmt::format(
-          "{} is no time; 08:00, '+2 h', and a date and time such as 2026-07-01 "
-          "08:00 are allowed",
-          quoted(cell_text));
-    }
-    if (time.why.empty()) return add_field(field.name, std::move(*time.value));
-    faults_.error(cell_place(field.name), fmt::format("{} = {}", field.name, time.why));
-  }
-
-  // Tells where a clock time falls on another day of reports, `check` and `edit`.
-  void note_other_days(const std::string& cell_text) {
-    const std::string start_clock = format_utc(*start_).substr(11, 5);
-    const auto clock = clock_s(cell_text), days_begin = clock_s(start_clock);
-    if (!clock || !days_begin || *clock >= *days_begin) return;
-    notes_.add(
-        fmt::format("days are UTC dates here; reports, check and edit count them from {0} "
-                    "on, when the mission starts, so that a time before {0} is of the day "
-                    "before there",
-                    start_clock));
-  }
-
-  // The row's own start, which is read before other times, else the last above.
-  std::optional<Instant> start_to_count_from() const {
-    const SourceField* own = find("StartTime");
-    const Parsed<Instant> start = own == nullptr ? Parsed<Instant>{} : parse_utc(own->text);
-    return start ? start.value : before_->start;
+    if (may_be_duration && !cell_text.starts_with('+')) return add_value(field, cell_text, column);
+    if (auto time = times_.time(field, cell_text)) add_field(field.name, std::move(*time));
   }
 
   const SourceField* find(const std::string& name) const {
@@ -263,31 +211,9 @@ class PlacemarkMaker {
   void end_event() {
     if (find("RoverId") == nullptr && !rover_id_.empty()) add_field("RoverId", rover_id_);
     if (find("Sequence") == nullptr) add_field("Sequence", "");  // see number_events()
-    begin_day();
-    const SourceField* start = find("StartTime");
-    const Parsed<Instant> instant = start == nullptr ? Parsed<Instant>{} : parse_utc(start->text);
-    if (instant && before_->start && *instant.value < *before_->start) {
-      faults_.warning(
-          cell_place("StartTime"),
-          fmt::format("{} is before the start that a row above of rover {} has, {}; is a "
-                      "Day wanted?",
-                      start->text, quoted(rover_id_), format_utc(*before_->start)));
-    }
-    if (instant) before_->start = instant.value;
-    if (has_day_) before_->date = date_;
-    set_folders();
-  }
-
-  // The first row of a rover on a new day that says no time does not begin before that day.
-  void begin_day() {
-    if (!has_day_ || date_ == before_->date || find("StartTime") != nullptr || !start_) return;
-    const Parsed<Instant> midnight = parse_utc(date_ + "T00:00:00Z");
-    if (midnight && *midnight.value > *start_) add_field("StartTime", date_ + "T00:00:00Z");
-  }
-
-  void set_folders() {
+    if (const auto midnight = times_.end_event()) add_field("StartTime", *midnight);
     if (!rover_id_.empty()) placemark_.folders.push_back(rover_id_);
-    if (has_day_) placemark_.folders.push_back(date_);
+    if (times_.has_day()) placemark_.folders.push_back(times_.date());
   }
 
   void add_geometry() {
@@ -324,6 +250,8 @@ class PlacemarkMaker {
         is_way_ = is_event_ && declarations_.events.at(from_->type).drives && places_.is_way(named);
         return std::move(*found.value);
       }
+    } else if (geometry.kind.empty() && keeps_place()) {
+      return geometry;
     } else if (geometry.kind.empty() && wants_geometry() && places_.has(placemark_.name)) {
       // A line on the map and a row of the same name are one event.
       Parsed<SourceGeometry> found = places_.geometry(placemark_.name);
@@ -355,6 +283,15 @@ class PlacemarkMaker {
     return {};
   }
 
+  // Whether the row is of a thing that was drawn, in a sheet that says of no row where it is.
+  bool keeps_place() const {
+    for (const char* name : {column::place, column::lon, column::lat, column::wkt}) {
+      if (from_->columns->find(name) != nullptr) return false;
+    }
+    const ThingId id = thing_id(data_);
+    return drawn_.contains(id);
+  }
+
   bool wants_geometry() const {
     if (!is_event_) return from_->type != "MissionInfo";
     const auto& kinds = declarations_.events.at(from_->type).geometries;
@@ -363,30 +300,29 @@ class PlacemarkMaker {
 
   const Declarations& declarations_;
   const PlaceNames& places_;
-  std::optional<Instant> start_;
+  const std::set<ThingId>& drawn_;
+  RowTimes times_;
   Notes& notes_;
   Faults& faults_;
   std::vector<std::string> rovers_, owners_;  // ids; owners: rovers and assets
   std::map<const Table*, Decimals> decimals_;
-  std::map<const Table*, Above> above_;
-  std::map<std::string, Before> before_of_;
+  std::map<const Table*, std::string> rover_above_;          // what rows below take over
   std::set<std::pair<const Table*, std::string>> reported_;  // columns of which a fault was told
   // The row that is being read, and what is known of it.
   const TypedRow* from_ = nullptr;
   SourcePlacemark placemark_;
   SourceData data_;
-  bool is_event_ = false, has_day_ = false, is_way_ = false;
+  bool is_event_ = false, is_way_ = false;
   int place_faults_ = 0;
-  std::string rover_id_, date_;
-  Before* before_ = nullptr;
+  std::string rover_id_;
 };
 
 }  // namespace
 
 RowPlacemarks placemarks_of(const std::vector<TypedRow>& rows, const Declarations& declarations,
-                            const PlaceNames& places, std::optional<Instant> start, Notes& notes,
-                            Faults& faults) {
-  PlacemarkMaker maker(rows, declarations, places, start, notes, faults);
+                            const PlaceNames& places, MissionStart start,
+                            const std::set<ThingId>& drawn, Notes& notes, Faults& faults) {
+  PlacemarkMaker maker(rows, declarations, places, start, drawn, notes, faults);
   RowPlacemarks made;
   for (const TypedRow& row : rows) {
     made.placemarks.push_back(maker.placemark(row));

@@ -1,14 +1,15 @@
 // Rows of tables as the Placemarks of a plan.
 #pragma once
 
-#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "interchange/notes.h"
 #include "interchange/places.h"
+#include "interchange/row_times.h"
 #include "interchange/row_types.h"
-#include "planet/utc.h"
+#include "interchange/thing_fields.h"
 
 namespace lsos {
 
@@ -17,10 +18,12 @@ struct RowPlacemarks {
   std::vector<std::size_t> ways;            // those that drive to several places by name
 };
 
-// What the rows say, with days counted from the mission's `start`. An event without a Sequence has
-// an empty one, see number_events(). Reports faults of cells; notes how texts were understood.
+// What the rows say, with days counted from the mission's start. An event without a Sequence has
+// an empty one, see number_events(). A row of a thing that was `drawn` stays where it is in a sheet
+// without columns of places, whatever it is called. Reports faults of cells; notes how texts were
+// understood.
 RowPlacemarks placemarks_of(const std::vector<TypedRow>& rows, const Declarations& declarations,
-                            const PlaceNames& places, std::optional<Instant> start, Notes& notes,
-                            Faults& faults);
+                            const PlaceNames& places, MissionStart start,
+                            const std::set<ThingId>& drawn, Notes& notes, Faults& faults);
 
 }  // namespace lsos

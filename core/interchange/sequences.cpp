@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -83,9 +84,12 @@ void number_events(KmlSource& plan, Faults& faults) {
 }
 
 void report_unnumbered(const KmlSource& plan, Faults& faults) {
+  std::set<std::string> told;  // files
   for (const SourcePlacemark& placemark : plan.placemarks) {
     for (const SourceField& field : placemark.data.front().fields) {
       if (field.name != "Sequence" || !field.text.empty()) continue;
+      // A sheet without the column is told once.
+      if (field.column.empty() && !told.insert(placemark.file).second) continue;
       faults.error({placemark.file, field.line, field.column},
                    "Sequence is empty: with --onto it says which event of the plan the row is; a "
                    "new one takes a number that is free, between those that it goes between");

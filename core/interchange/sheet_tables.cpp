@@ -68,6 +68,7 @@ class SheetMaker {
     Table table;
     table.name = "Places";
     table.header = {"Name", column::lon, column::lat};
+    table.numbers = {1, 2};
     for (const BookedPlace& place : places_.used()) {
       table.rows.push_back(
           {static_cast<int>(table.rows.size()) + 1, {place.name, place.lon, place.lat}});
@@ -79,7 +80,11 @@ class SheetMaker {
     Table table;
     table.name = name;
     const std::vector<SheetColumn> columns = columns_of(name, things);
-    for (const SheetColumn& column : columns) table.header.push_back(column.header);
+    for (const SheetColumn& column : columns) {
+      const bool is_degrees = column.name == column::lon || column.name == column::lat;
+      if (is_degrees || is_number(column.name, things)) table.numbers.insert(table.header.size());
+      table.header.push_back(column.header);
+    }
     const auto add = [&](auto&& cell_of) {
       TableRow row{static_cast<int>(table.rows.size()) + 1, {}};
       for (const SheetColumn& column : columns) row.cells.push_back(cell_of(column));
@@ -169,6 +174,22 @@ class SheetMaker {
       texts.emplace_back(field, *text);
     }
     return shortest_unit(texts);
+  }
+
+  // Whether a column is a field, and a number of all things that have it.
+  bool is_number(const std::string& name, const std::vector<std::size_t>& things) const {
+    bool is_field = false;
+    for (const std::size_t i : things) {
+      const SourcePlacemark& thing = things_.placemarks[i];
+      if (thing_field(thing, name) == nullptr) continue;
+      is_field = true;
+      const FieldDeclaration* field = declared_field(thing_type(thing), name, declarations_);
+      const bool is_one = field != nullptr &&
+                          (field->kind == FieldKind::number || field->kind == FieldKind::integer ||
+                           field->kind == FieldKind::duration);
+      if (!is_one) return false;
+    }
+    return is_field;
   }
 
   static std::string place_cell(const BookedPlace& place, const SheetColumn& column) {

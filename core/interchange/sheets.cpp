@@ -79,10 +79,12 @@ void add_table(Cells rows, const std::string& file, const std::string& name,
   if (!table.header.empty()) tables.push_back(std::move(table));
 }
 
-// Shortest digits of a number that GDAL prints as "5.5000000000000000".
+// Shortest digits of a number that GDAL prints as "5.5000000000000000", or a workbook has as
+// "80.11781499999999".
 std::string plain_number(const std::string& text) {
+  constexpr std::size_t digits_many = 16;  // with a point; people write fewer
   const std::size_t point = text.find('.');
-  if (point == std::string::npos || !text.ends_with('0')) return text;
+  if (point == std::string::npos || text.size() < digits_many) return text;
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size()) return text;
@@ -116,6 +118,8 @@ std::string as_shown(const std::string& text, const ShownFormat& format) {
     const auto whole_s = static_cast<long long>(std::llround(*number * 86400));
     return fmt::format("{}:{:02}:{:02}", whole_s / 3600, whole_s / 60 % 60, whole_s % 60);
   }
+  // Nearly all decimals of 15 digits survive as a number; a product has noise beyond.
+  if (format.unit == "%") return fmt::format("{:.15g} %", *number * 100);
   return find_unit(format.unit) == nullptr ? text : fmt::format("{} {}", text, format.unit);
 }
 
@@ -154,7 +158,8 @@ Cells cells_of(OGRLayer& layer, const WorkbookFacts& facts, const std::string& f
     for (int i = 0; i < feature->GetFieldCount(); ++i) {
       std::string text =
           feature->IsFieldSetAndNotNull(i) != 0 ? feature->GetFieldAsString(i) : std::string();
-      if (facts.is_ods) text = unguarded_in_ods(ods_clock(plain_number(text)));
+      text = plain_number(text);
+      if (facts.is_ods) text = unguarded_in_ods(ods_clock(text));
       if (facts.counts_from_1904) text = shifted_date(text);
       rows[number - 1].push_back(std::move(text));
     }
@@ -248,6 +253,12 @@ std::vector<Table> read_workbook(const std::string& bytes, const std::string& fi
     OGRLayer& layer = *dataset->GetLayer(i);
     const std::string name = layer.GetName();
     Cells rows = cells_of(layer, facts, file, cells_left);
+    if (const auto texts = facts.texts.find(name); texts != facts.texts.end()) {
+      for (const auto& [at, text] : texts->second) {
+        if (at.first >= rows.size() || at.second >= rows[at.first].size()) continue;
+        rows[at.first][at.second] = text;
+      }
+    }
     if (const auto formats = facts.formats.find(name); formats != facts.formats.end()) {
       for (const auto& [at, format] : formats->second) {
         if (at.first >= rows.size() || at.second >= rows[at.first].size()) continue;

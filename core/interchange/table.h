@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -24,9 +25,11 @@ struct Table {
   bool has_commas = false;   // "5,5" in it is 5.5
   int header_number = 0;     // row of the header in a sheet
   std::vector<std::string> header;
-  std::vector<TableRow> rows;  // without empty ones
-  bool is_geographic = true;   // places are in degrees
-  std::string body = {};       // that its places lie on, by its CRS; "": it has none, or no places
+  std::vector<TableRow> rows;          // without empty ones
+  bool is_geographic = true;           // places are in degrees
+  std::set<std::size_t> numbers = {};  // columns of a table that is written, whose texts are
+                                       // numbers, "0.020": only their values count
+  std::string body = {};  // that its places lie on, by its CRS; "": it has none, or no places
 };
 
 // "A" for 0, "Z" for 25, "AA" for 26.

@@ -4,7 +4,9 @@
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
 
+#include <algorithm>
 #include <charconv>
+#include <cstddef>
 #include <memory>
 
 #include "access/gdal_access.h"
@@ -48,13 +50,25 @@ bool is_shortest(const std::string& text) {
          fmt::format("{}", value) == text;
 }
 
-OGRFieldType type_of(const Table& table, std::size_t column) {
+// Whether the text is a decimal whose value survives a spreadsheet: one of 15 digits at most.
+bool is_decimal(const std::string& text) {
+  constexpr std::ptrdiff_t digits_max = 15;
+  const auto digits = std::ranges::count_if(text, [](char c) { return c >= '0' && c <= '9'; });
+  const bool has_others = text.find_first_not_of("0123456789.-") != std::string::npos;
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return !has_others && error == std::errc() && end == text.data() + text.size() &&
+         digits <= digits_max;
+}
+
+OGRFieldType type_of(const Table& table, std::size_t column, bool is_workbook) {
+  const bool counts_value = is_workbook && table.numbers.contains(column);
   bool is_integer = true, is_real = true;
   for (const TableRow& row : table.rows) {
     const std::string text = cell(row, column);
     if (text.empty()) continue;
     is_integer = is_integer && is_shortest<std::int64_t>(text);
-    is_real = is_real && is_shortest<double>(text);
+    is_real = is_real && (is_shortest<double>(text) || (counts_value && is_decimal(text)));
   }
   return is_integer ? OFTInteger64 : is_real ? OFTReal : OFTString;
 }
@@ -110,7 +124,8 @@ class TableWriter {
     OGRLayer* layer = dataset.CreateLayer(table.name.c_str(), crs, kind, options.List());
     if (layer == nullptr) refuse(GdalSilence::message());
     for (std::size_t i = 0; i < table.header.size(); ++i) {
-      OGRFieldDefn field(table.header[i].c_str(), type_of(table, i));
+      const bool is_workbook = ending_ == ".xlsx" || ending_ == ".ods";
+      OGRFieldDefn field(table.header[i].c_str(), type_of(table, i, is_workbook));
       if (layer->CreateField(&field) != OGRERR_NONE) refuse(GdalSilence::message());
     }
     for (const TableRow& row : table.rows) add(row, table, *layer);

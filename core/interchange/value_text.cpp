@@ -102,7 +102,9 @@ const Unit* shortest_unit(const std::vector<DeclaredText>& texts) {
     if (!is_alike) return nullptr;
   }
   std::vector<const Unit*> units = written_units(texts);
-  if (units.empty()) units = usual_units(*texts.front().first);
+  // Many seconds are what a reader of sheets has made of "2:00".
+  const bool is_seconds = units.size() == 1 && units.front()->symbol == "s";
+  if (units.empty() || is_seconds) units = usual_units(*texts.front().first);
   const Unit* shortest = nullptr;
   std::size_t least = 0;
   for (const Unit* unit : units) {
@@ -120,12 +122,13 @@ const Unit* shortest_unit(const std::vector<DeclaredText>& texts) {
 }
 
 std::string text_with_unit(const std::string& text, const FieldDeclaration& field) {
-  if (!has_unit(field) || unit_in(text) != nullptr) return text;
+  const Unit* written = unit_in(text);
+  if (!has_unit(field) || (written != nullptr && written->symbol != "s")) return text;
   const std::optional<double> value = value_si(text, field);
   const Unit* unit = value ? shortest_unit({{&field, text}}) : nullptr;
   if (unit == nullptr) return text;
-  const std::string written = format_quantity(*value, *unit);
-  return value_si(written, field) == value ? written : text;
+  const std::string in_unit = format_quantity(*value, *unit);
+  return value_si(in_unit, field) == value ? in_unit : text;
 }
 
 }  // namespace lsos

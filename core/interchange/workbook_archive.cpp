@@ -121,6 +121,21 @@ std::string quoted_part(const std::string& code) {
   return std::string(trimmed(std::string_view(code).substr(open + 1, close - open - 1)));
 }
 
+// Whether a number format shows a percentage: a % outside texts in quotes and behind backslashes.
+bool is_percent(const std::string& code) {
+  bool is_quoted = false;
+  for (std::size_t i = 0; i < code.size(); ++i) {
+    if (code[i] == '\\') {
+      ++i;
+    } else if (code[i] == '"') {
+      is_quoted = !is_quoted;
+    } else if (code[i] == '%' && !is_quoted) {
+      return true;
+    }
+  }
+  return false;
+}
+
 // What each cell style (an index of cellXfs) shows (ECMA-376-1, 18.8.10 and 18.8.30).
 std::vector<ShownFormat> cell_styles(const std::string& xml) {
   constexpr int built_in_span = 46;  // [h]:mm:ss
@@ -130,6 +145,8 @@ std::vector<ShownFormat> cell_styles(const std::string& xml) {
   if (styles.RootElement() == nullptr) return shown;
   std::map<int, ShownFormat> formats;
   formats[built_in_span].is_span = true;
+  for (const int built_in_percent : {9, 10})
+    formats[built_in_percent].unit = std::string("%");  // 0%, 0.00%
   if (const XMLElement* codes = child(*styles.RootElement(), "numFmts")) {
     for (const XMLElement* each = codes->FirstChildElement(); each != nullptr;
          each = each->NextSiblingElement()) {
@@ -137,7 +154,8 @@ std::vector<ShownFormat> cell_styles(const std::string& xml) {
       const bool is_span = code.find("[h") != std::string::npos ||
                            code.find("[m") != std::string::npos ||
                            code.find("[s") != std::string::npos;
-      formats[each->IntAttribute("numFmtId")] = {is_span, quoted_part(code)};
+      formats[each->IntAttribute("numFmtId")] = {is_span,
+                                                 is_percent(code) ? "%" : quoted_part(code)};
     }
   }
   if (const XMLElement* cells = child(*styles.RootElement(), "cellXfs")) {

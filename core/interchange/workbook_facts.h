@@ -17,7 +17,8 @@ struct MergedCells {
 // What a cell's number format shows beside its number.
 struct ShownFormat {
   bool is_span = false;  // hours beyond 24, "[h]:mm": the number counts days
-  std::string unit;      // "km/h" of the format 0.0" km/h"; "": none
+  std::string unit;      // "km/h" of the format 0.0" km/h"; "": none; "%": the cell shows 100 times
+                         // its number
 };
 
 struct WorkbookFacts {
@@ -26,6 +27,8 @@ struct WorkbookFacts {
   std::map<std::string, std::vector<MergedCells>> merged;  // by sheet
   // Formats of cells that show more than a number, by sheet and {row, column} from 0.
   std::map<std::string, std::map<std::pair<std::size_t, std::size_t>, ShownFormat>> formats;
+  // Texts of ODS cells that have a comment, without it; GDAL takes both for the text.
+  std::map<std::string, std::map<std::pair<std::size_t, std::size_t>, std::string>> texts;
 };
 
 }  // namespace lsos

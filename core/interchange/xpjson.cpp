@@ -45,7 +45,8 @@ class Reader {
   Reader(const std::string& file, const std::vector<std::string>& events,
          std::vector<std::string>& left_out)
       : file_(file), events_(events), left_out_(left_out) {
-    stations_.file = routes_.file = file;
+    // Rows are counted as items of the sequence, not as lines.
+    stations_.file = routes_.file = file + "/item";
     stations_.name = "stations";
     stations_.header = {column::name};
     routes_.name = "plan";

@@ -13,6 +13,7 @@
 #include "lua/app/commands.h"
 #include "lua/edit/import_onto.h"
 #include "lua/edit/imported_files.h"
+#include "lua/edit/new_plan.h"
 #include "lua/host/mission_reader.h"
 #include "plan/kml_reader.h"
 #include "plan/kml_writer.h"
@@ -83,8 +84,16 @@ int import_command(const ImportOptions& options) {
   std::vector<Table> tables = read_all_tables(options.files, declarations, left_out);
   ImportedPlan made = import_tables(std::move(tables), declarations, faults);
   made.left_out.insert(made.left_out.begin(), left_out.begin(), left_out.end());
-  const Plan plan = read_plan(options.output, made.source, declarations, faults);
-  in_words_for_sheets(faults).throw_if_errors();
+  // The scripts and the ground that the plan names are found beside it.
+  allow_beside(options.output);
+  const MissionFiles files =
+      read_mission(PlanSource{options.output, made.source, "", "", true}, catalog);
+  const Plan& plan = files.plan;
+  faults = with_plan_faults(faults, files.faults);
+  faults.add(placing_faults(files));
+  faults = in_words_for_sheets(faults);
+  tell_left_out(faults, made.left_out);
+  faults.throw_if_errors();
 
   DocumentLook look;
   look.name = std::filesystem::path(options.output).stem().string();

@@ -29,6 +29,27 @@ std::string value_text(const std::string& name, const std::string& before,
   return fmt::format("{} = {}, was {}", name, after, before);
 }
 
+// "0.02,0.004 > 0.012,-0.006"; of more than four points the first and last two.
+std::string place_text(const SourcePlacemark& thing) {
+  constexpr std::size_t ends = 2;
+  if (thing.geometries.empty()) return "";
+  std::vector<std::string> tuples = coordinate_tuples(thing.geometries.front().coordinates);
+  for (std::string& tuple : tuples) {
+    tuple = tuple.substr(0, std::min(tuple.find(',', tuple.find(',') + 1), tuple.size()));
+  }
+  if (tuples.size() > 2 * ends) {
+    const std::string left_out = fmt::format("{} more", tuples.size() - 2 * ends);
+    tuples.erase(tuples.begin() + ends, tuples.end() - ends);
+    tuples.insert(tuples.begin() + ends, left_out);
+  }
+  return fmt::format("{}", fmt::join(tuples, " > "));
+}
+
+// The beginning of a description, on one line.
+std::string words_of(const std::string& description) {
+  return description.empty() ? "" : quoted(description);
+}
+
 std::vector<std::string> what_changed(const RowChange& change) {
   std::vector<std::string> parts;
   if (change.has_new_type) {
@@ -41,12 +62,22 @@ std::vector<std::string> what_changed(const RowChange& change) {
   for (const std::string& name : change.fields) {
     parts.push_back(value_text(name, field_of(change.before, name), field_of(change.after, name)));
   }
-  if (change.has_new_place) parts.emplace_back("another place");
+  if (change.has_new_place) {
+    parts.push_back(value_text("place", place_text(change.before), place_text(change.after)));
+  }
   if (change.has_new_type && !change.has_new_place && !change.after.geometries.empty()) {
     parts.emplace_back("its place stays");
   }
-  if (change.has_new_description) parts.emplace_back("another description");
+  if (change.has_new_description) {
+    parts.push_back(value_text("description", words_of(change.before.description),
+                               words_of(change.after.description)));
+  }
   return parts;
+}
+
+std::string moved_text(const MovedPlace& moved) {
+  return fmt::format("  moved: the place {} to {}, was {}\n", quoted(moved.place.name),
+                     moved.coordinates, moved.place.coordinates);
 }
 
 std::string list_text(const std::vector<RowChange>& changes, bool is_new) {
@@ -86,7 +117,10 @@ std::vector<ThingKey> kept_of(const OntoResult& result) {
 
 std::string onto_text(const OntoResult& result, const std::string& output) {
   const RowChanges& changes = result.changes;
-  std::string text = list_text(changes.changed, false) + list_text(changes.added, true);
+  std::string text;
+  for (const std::string& line : result.notes) text += fmt::format("  note: {}\n", line);
+  for (const MovedPlace& each : result.moved_places) text += moved_text(each);
+  text += list_text(changes.changed, false) + list_text(changes.added, true);
   for (const std::string& line : result.left_out) text += fmt::format("  left out: {}\n", line);
   const std::vector<ThingKey> kept = kept_of(result);
   if (!result.removed.empty()) text += fmt::format("  removed: {}\n", keys_text(result.removed));
@@ -119,6 +153,10 @@ std::string onto_json(const OntoResult& result, const std::string& output) {
     changed.push_back({{"thing", key_text(change.key)}, {"changes", what_changed(change)}});
   }
   for (const RowChange& row : result.changes.added) added.push_back(key_text(row.key));
+  Json moved = Json::array();
+  for (const MovedPlace& each : result.moved_places) {
+    moved.push_back({{"place", each.place.name}, {"to", each.coordinates}});
+  }
   const Json answer{{"plan", output},
                     {"plan_sha256", result.plan_sha256},
                     {"changed", changed},
@@ -126,6 +164,8 @@ std::string onto_json(const OntoResult& result, const std::string& output) {
                     {"unchanged", result.changes.unchanged},
                     {"kept", names(kept_of(result))},
                     {"removed", names(result.removed)},
+                    {"moved_places", moved},
+                    {"notes", result.notes},
                     {"left_out", result.left_out}};
   return answer.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

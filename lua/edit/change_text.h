@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "edit/row_changes.h"
+#include "interchange/imported_plan.h"
 
 namespace lsos {
 
@@ -13,7 +14,9 @@ struct OntoResult {
   std::vector<ThingKey> removed;
   std::vector<ThingKey> removable;    // of those without a row
   std::vector<std::string> left_out;  // of the sheets
-  std::string plan_sha256;            // of the new plan
+  std::vector<std::string> notes;     // how their texts were understood
+  std::vector<MovedPlace> moved_places;
+  std::string plan_sha256;  // of the new plan
 };
 
 // Lists what changed, each with what it was, and then counts. Long lists are cut.

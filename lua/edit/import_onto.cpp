@@ -9,10 +9,13 @@
 #include "base/console.h"
 #include "base/files.h"
 #include "edit/editable_file.h"
+#include "edit/placemark_edit.h"
 #include "edit/plan_thing.h"
 #include "edit/put_rows.h"
 #include "interchange/imported_plan.h"
+#include "interchange/place_book.h"
 #include "interchange/plan_tables.h"
+#include "interchange/rover_places.h"
 #include "lua/edit/change_text.h"
 #include "lua/edit/imported_files.h"
 #include "lua/edit/new_plan.h"
@@ -37,7 +40,9 @@ Table owners(const KmlSource& things, const Declarations& declarations) {
 }
 
 // A sheet that has nothing in common with the plan is that of another one.
-void check_kinship(const RowChanges& changes, const Plan& plan, const OntoOptions& options) {
+void check_kinship(const OntoResult& result, const Plan& plan, const OntoOptions& options) {
+  const RowChanges& changes = result.changes;
+  if (!result.moved_places.empty() && changes.added.empty()) return;
   const auto without_row =
       static_cast<std::size_t>(std::ranges::count_if(changes.without_row, [](const ThingKey& key) {
         return key.kind != ThingKey::Kind::mission;
@@ -88,6 +93,28 @@ void keep_times_without_column(const KmlSource& things,
   }
 }
 
+// Takes out the rows of owners(), which are no changes.
+void erase_owners(const KmlSource& things, ImportedPlan& made) {
+  auto& rows = made.source.placemarks;
+  const auto is_owner = [&](const SourcePlacemark& row) { return row.file == things.file; };
+  for (std::size_t& way : made.ways) {
+    way -= static_cast<std::size_t>(
+        std::count_if(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(way), is_owner));
+  }
+  std::erase_if(rows, is_owner);
+}
+
+// Lets lines to places by name begin where the rover stands among all events of the plan.
+// `changes`: of the rows, which are the first Placemarks of the merged plan.
+void begin_ways(const RowChanges& changes, const Declarations& declarations, ImportedPlan& made) {
+  KmlSource merged = changes.merged;
+  begin_lines_at_rovers(made.ways, declarations, merged);
+  for (const std::size_t way : made.ways) {
+    auto& geometries = made.source.placemarks[way].geometries;
+    if (!geometries.empty()) geometries = merged.placemarks[way].geometries;
+  }
+}
+
 }  // namespace
 
 std::string import_onto(const OntoOptions& options) {
@@ -101,35 +128,48 @@ std::string import_onto(const OntoOptions& options) {
                                      options.output, ending));
   }
   const Declarations& declarations = files.catalog->declarations();
-  const KmlSource things = plan_things(parse_kml(file.kml(), options.plan), declarations);
+  const KmlSource source = parse_kml(file.kml(), options.plan);
+  const DrawnPlan drawn{plan_things(source, declarations), landmarks(source, declarations)};
+  const KmlSource& things = drawn.things;
 
   OntoResult result;
   std::vector<Table> tables = read_all_tables(options.files, declarations, result.left_out);
   const auto columns = sheet_columns(tables, declarations);
+  const std::set<ThingKey::Kind> kinds = kinds_of_sheets(tables, declarations);
   tables.push_back(owners(things, declarations));
   Faults faults;
-  ImportedPlan made = import_tables(tables, declarations, faults, ImportedRows::changes);
-  keep_times_without_column(things, columns, made.source.placemarks);
+  ImportedPlan made = import_tables(tables, declarations, faults, &drawn);
   result.left_out.insert(result.left_out.end(), made.left_out.begin(), made.left_out.end());
-  std::erase_if(made.source.placemarks,
-                [&](const SourcePlacemark& row) { return row.file == things.file; });
+  result.notes = made.notes;
+  result.moved_places = made.moved_places;
+  erase_owners(things, made);
+  keep_times_without_column(things, columns, made.source.placemarks);
 
-  result.changes = row_changes(things, made.source.placemarks, columns, declarations);
-  if (!faults.has_errors()) check_kinship(result.changes, files.plan, options);
-  result.removable = removable(result.changes, made.source.placemarks);
-  if (options.removes_missing) {
-    result.removed = std::move(result.removable);
-    result.removable.clear();
-    leave_out(result.changes, result.removed);
-  }
+  const auto changes_of_rows = [&] {
+    RowChanges changes = row_changes(things, made.source.placemarks, columns, declarations);
+    result.removable = removable(changes, made.source.placemarks, kinds);
+    if (options.removes_missing) leave_out(changes, result.removable);
+    return changes;
+  };
+  begin_ways(changes_of_rows(), declarations, made);
+  result.changes = changes_of_rows();
+  if (!faults.has_errors()) check_kinship(result, files.plan, options);
+  if (options.removes_missing) result.removed = std::move(result.removable);
+  if (options.removes_missing) result.removable.clear();
   result.changes.merged.layers = made.source.layers;
   const MissionFiles wanted = read_mission(
       PlanSource{options.plan, result.changes.merged, "", files.plan_bytes, true}, files.catalog);
-  faults.add(wanted.faults.sorted());
-  faults = in_words_for_sheets(faults);
+  faults.add(placing_faults(wanted));
+  faults = in_words_for_sheets(with_plan_faults(faults, wanted.faults));
+  tell_left_out(faults, result.left_out);
   faults.throw_if_errors();
 
   PlanDocument document(file.kml(), files.plan, declarations);
+  const std::string text_before = document.text();
+  // Points are found by their index, which new Placemarks would change.
+  for (const MovedPlace& each : result.moved_places) {
+    move_point(document, each.place.index, each.coordinates);
+  }
   put_rows(document, result.changes, result.removed);
   Faults none;
   const Plan edited =
@@ -137,7 +177,9 @@ std::string import_onto(const OntoOptions& options) {
   // What was checked is what is written.
   LSOS_ASSERT(none.has_errors() || edited.hash() == wanted.plan.hash());
   document.follow_rasters(options.output);
-  const std::string bytes = file.with(document.text());
+  // A document that says the same stays as it was to the last byte.
+  const bool is_same = document.text() == text_before;
+  const std::string bytes = is_same ? files.plan_bytes : file.with(document.text());
   const MissionFiles new_files = read_new_plan(bytes, options.output);
   write_file(options.output, bytes);
   tell_new_warnings(files.faults, faults);

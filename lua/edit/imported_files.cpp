@@ -1,12 +1,24 @@
 #include "lua/edit/imported_files.h"
 
 #include <algorithm>
+#include <regex>
 
+#include "base/console.h"
 #include "interchange/columns.h"
 #include "interchange/header_row.h"
 #include "interchange/source_tables.h"
 
 namespace lsos {
+
+namespace {
+
+// Whether a reference to an event is a date, "there is no event '2026/01/20'".
+bool names_date(const std::string& what) {
+  static const std::regex date(R"(there is no event '\d{4}[-/]\d\d[-/]\d\d)");
+  return std::regex_search(what, date);
+}
+
+}  // namespace
 
 std::vector<Table> read_all_tables(const std::vector<std::string>& files,
                                    const Declarations& declarations,
@@ -48,6 +60,40 @@ std::map<std::string, SheetColumns> sheet_columns(const std::vector<Table>& tabl
   return all;
 }
 
+std::set<ThingKey::Kind> kinds_of_sheets(const std::vector<Table>& tables,
+                                         const Declarations& declarations) {
+  std::set<ThingKey::Kind> kinds;
+  for (const Table& table : tables) {
+    const std::string type = type_of_sheet(table, declarations);
+    if (type == "Rover") kinds.insert(ThingKey::Kind::rover);
+    if (type == "Asset") kinds.insert(ThingKey::Kind::asset);
+  }
+  return kinds;
+}
+
+Faults with_plan_faults(const Faults& of_cells, const Faults& of_plan) {
+  Faults all = of_cells;
+  std::set<Place> known;
+  std::set<std::string> without_sequence;  // files of which that is told
+  for (const Fault& fault : of_cells.sorted()) {
+    if (fault.what.starts_with("Sequence is empty")) without_sequence.insert(fault.place.file);
+    const bool is_cell = fault.severity == Severity::error && !fault.place.column.empty();
+    if (is_cell) known.insert(fault.place);
+  }
+  for (const Fault& fault : of_plan.sorted()) {
+    const bool lacks_sequence = fault.what.find(": Sequence is missing; ") != std::string::npos;
+    const bool is_told = known.contains(fault.place) ||
+                         (lacks_sequence && without_sequence.contains(fault.place.file));
+    if (!is_told) all.add({fault});
+  }
+  return all;
+}
+
+void tell_left_out(const Faults& faults, const std::vector<std::string>& left_out) {
+  if (!faults.has_errors()) return;
+  for (const std::string& line : left_out) print_message("left out: {}\n", line);
+}
+
 Faults in_words_for_sheets(const Faults& faults) {
   Faults told;
   for (const Fault& fault : faults.sorted()) {
@@ -63,6 +109,10 @@ Faults in_words_for_sheets(const Faults& faults) {
       told.error({},
                  "no file has a rover: a row of Type Rover with RoverId, RoverType and a place is "
                  "wanted, or a line 'Rover ID: TYPE at PLACE' in an outline");
+    } else if (names_date(fault.what)) {
+      told.error(fault.place, fault.what +
+                                  "; spreadsheets make a date of a text such as 1/20: the cell is "
+                                  "to be formatted as text before it is written");
     } else if (lacks_place) {
       told.error(fault.place, fault.what + "; Place, Lon and Lat, or WKT say where it is");
     } else {

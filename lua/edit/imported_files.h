@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,17 @@ std::vector<Table> read_all_tables(const std::vector<std::string>& files,
 // What the tables say of each of their rows, by the `file` of each.
 std::map<std::string, SheetColumns> sheet_columns(const std::vector<Table>& tables,
                                                   const Declarations& declarations);
+
+// What the sheets are of by their names or rows, also those with a header alone.
+std::set<ThingKey::Kind> kinds_of_sheets(const std::vector<Table>& tables,
+                                         const Declarations& declarations);
+
+// The faults of cells and, beside them, those of the plan that was made of these: none that only
+// follows from a fault of the same cell.
+Faults with_plan_faults(const Faults& of_cells, const Faults& of_plan);
+
+// Tells on stderr what is left out where faults keep the plan from being made.
+void tell_left_out(const Faults& faults, const std::vector<std::string>& left_out);
 
 // The faults of the plan, in words for sheets: its reader speaks of Placemarks where something is
 // missing in all files.

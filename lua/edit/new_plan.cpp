@@ -18,6 +18,18 @@ MissionFiles read_new_plan(const std::string& bytes, const std::string& file) {
   return edited;
 }
 
+std::vector<Fault> placing_faults(const MissionFiles& files) {
+  if (files.faults.has_errors()) return {};
+  SimulationSetup setup = simulation_setup(files);
+  setup.plan.events.clear();
+  try {
+    const Simulation placed(std::move(setup));
+  } catch (const InputError& error) {
+    return error.faults();
+  }
+  return {};
+}
+
 void tell_new_warnings(const Faults& old_faults, const Faults& new_faults) {
   constexpr int most = 10;
   std::set<std::string> known;

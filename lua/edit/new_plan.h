@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "lua/host/mission_files.h"
 
@@ -10,6 +11,10 @@ namespace lsos {
 // Reads `bytes`, which are to be written to `file`. Throws InputError with the faults that the new
 // plan would have.
 MissionFiles read_new_plan(const std::string& bytes, const std::string& file);
+
+// Errors of a plan without faults that show when its rovers and assets are put on the ground, such
+// as two in one place. Its events do not count.
+std::vector<Fault> placing_faults(const MissionFiles& files);
 
 // Tells the warnings of the new plan that the old one had not.
 void tell_new_warnings(const Faults& old_faults, const Faults& new_faults);

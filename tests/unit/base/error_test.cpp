@@ -83,6 +83,14 @@ TEST(DidYouMean, names_the_nearest) {
   EXPECT_EQ(did_you_mean("arrivalradius", known), "; did you mean 'ArrivalRadius'?");
 }
 
+TEST(DidYouMean, takes_no_letter_for_another) {
+  const std::vector<std::string> ids{"A", "B1"};
+  EXPECT_EQ(did_you_mean("C", ids), "");
+  EXPECT_EQ(did_you_mean("A2", {{"B1"}}), "");
+  EXPECT_EQ(did_you_mean("a", ids), "; did you mean 'A'?");
+  EXPECT_EQ(did_you_mean("B", ids), "; did you mean 'B1'?");
+}
+
 TEST(DidYouMean, is_silent_when_nothing_is_near) {
   const std::vector<std::string> known = {"Duration", "Speed"};
   EXPECT_EQ(did_you_mean("Colour", known), "");

@@ -28,7 +28,8 @@ TEST(TimeOfTable, is_a_clock_on_its_day_or_counts_from_the_row_before) {
   };
   EXPECT_EQ(read("8:05"), "2026-03-01T08:05:00.000Z");
   EXPECT_EQ(read("08:05:30.5"), "2026-03-01T08:05:30.500Z");
-  EXPECT_EQ(read("08:00-07:00"), "2026-03-01T15:00:00.000Z");
+  EXPECT_EQ(read("08:00Z"), "2026-03-01T08:00:00.000Z");
+  EXPECT_EQ(read("2026-03-01T08:00-07:00"), "2026-03-01T15:00:00.000Z");
   EXPECT_EQ(read("+2 h"), "2026-02-27T16:00:00.000Z");
   EXPECT_EQ(read("+1:30"), "2026-02-27T15:30:00.000Z");
   EXPECT_EQ(read("2026/03/02 06:00:00"), "2026-03-02T06:00:00.000Z");
@@ -38,6 +39,23 @@ TEST(TimeOfTable, is_a_clock_on_its_day_or_counts_from_the_row_before) {
   EXPECT_EQ(utc_text("soon", context).value, "soon");  // the plan's reader says what is wrong
   EXPECT_THAT(utc_text("+2 h", {"", {}}).why, HasSubstr("says a start to count from"));
   EXPECT_THAT(utc_text("08:00", {"", {}}).why, HasSubstr("a clock time needs a Day"));
+}
+
+TEST(TimeOfTable, is_no_range_of_clocks) {
+  const TimeContext context{"2026-03-01", start};
+  for (const char* range : {"8:00-10:00", "08:00 - 10:00", "08:00-07:00", "08:00+02:00",
+                            "8:00 \xe2\x80\x93 10:00", "8:00 to 10:00", "2026-03-01 8:00-10:00"}) {
+    EXPECT_THAT(utc_text(range, context).why, HasSubstr("is a range, or a clock with a zone; the "
+                                                        "start alone is wanted, in UTC"))
+        << range;
+  }
+}
+
+TEST(TimeOfTable, after_another_has_a_unit) {
+  const TimeContext context{"2026-03-01", start};
+  EXPECT_EQ(utc_text("+4", context).why, "'+4' has no unit; '+4 h' or '+4 min' is wanted");
+  EXPECT_THAT(utc_text("+ 90.5", context).why, HasSubstr("'+90.5 min' is wanted"));
+  EXPECT_EQ(utc_text("+0", context).value, "2026-02-27T14:00:00.000Z");
 }
 
 TEST(DayClock, reads_back_as_the_same_instant) {

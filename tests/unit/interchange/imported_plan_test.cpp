@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "interchange/map_tables.h"
+#include "interchange/outline.h"
 #include "interchange/place_book.h"
 #include "interchange/plan_document.h"
 #include "interchange/sheets.h"
@@ -172,6 +173,31 @@ TEST(ImportedPlan, leads_to_several_places_from_where_the_rover_stands) {
   EXPECT_EQ(line(1), "0.01,0.005");
   EXPECT_EQ(line(2), "0.01,0.005 0.02,0");
   EXPECT_EQ(line(3), "0.02,0 0.03,0 0.04,0");
+}
+
+TEST(ImportedPlan, takes_days_in_the_order_of_sequences_where_rows_stand_otherwise) {
+  const std::string header = "Type,Rover,Sequence,Day,Start,Duration\n";
+  const Imported sorted =
+      import({mission, header + "Pause,A,20,2,08:00,60\nPause,A,10,1,09:00,60\n"});
+  EXPECT_EQ(sorted.faults, "");
+  const Imported back = import({mission, header + "Pause,A,,2,08:00,60\nPause,A,,1,09:00,60\n"});
+  EXPECT_THAT(back.faults, HasSubstr("Day = 1, 2026-07-01, is before the Day of a row above of "
+                                     "rover 'A', 2026-07-02 at D2"));
+}
+
+TEST(ImportedPlan, of_an_outline_has_starts_on_the_days_of_headings) {
+  const auto outline = [](const std::string& text) {
+    Faults faults;
+    std::vector<Table> tables = read_outline(
+        "Mission: Planet Moon, StartTime 2026-07-01T06:00, Terrain Flat\nRover A: SEV at (0, 0)\n" +
+            text,
+        "idea.txt", declarations());
+    import_tables(std::move(tables), declarations(), faults);
+    return faults_text(faults);
+  };
+  EXPECT_EQ(outline("Day 1, A: 08:00 Pause, Duration 1 h\n  +20 h Pause, Duration 1 h\n"), "");
+  EXPECT_THAT(outline("Day 1, A: 08:00 Pause, Duration 1 h\nDay 2, A: +1 h Pause, Duration 1 h\n"),
+              HasSubstr("but Day = Day 2 (2026-07-02) at line 4; one of them is to be changed"));
 }
 
 TEST(ImportedPlan, knows_rovers_and_places_in_any_case_and_says_so) {

@@ -84,6 +84,43 @@ TEST(SheetTables, say_days_clocks_places_and_units) {
                           "LINESTRING (0 0, 0.001 0, 0.002 0, 0.003 0, 0.004 0, 0.03 0)"));
 }
 
+TEST(SheetTables, know_which_columns_are_numbers) {
+  const std::vector<Table> tables = sheet_tables(plan(), known(), {}, false);
+  EXPECT_THAT(tables[3].numbers, ElementsAre(1, 2));
+  EXPECT_THAT(tables[4].numbers, ElementsAre(2, 7, 8)) << "Sequence, Speed, Duration";
+}
+
+TEST(SheetTables, say_many_seconds_in_minutes_or_hours) {
+  KmlSource long_pause = plan();
+  long_pause.placemarks[4].data.front().fields[2].text = "7200 s";
+  const Table events = sheet_tables(long_pause, known(), {}, false)[4];
+  EXPECT_EQ(events.header[8], "Duration (h)");
+  EXPECT_EQ(events.rows[1].cells[8], "2");
+}
+
+// A row does not say a day on which its start is not, nor one before those above.
+TEST(SheetTables, say_starts_that_go_back_whole) {
+  KmlSource back = plan();
+  back.placemarks.push_back(thing("Pause", {{"RoverId", "A"},
+                                            {"Sequence", "50"},
+                                            {"StartTime", "2026-07-02T06:00:00Z"},
+                                            {"Duration", "60"}}));
+  back.placemarks.push_back(
+      thing("Pause", {{"RoverId", "A"}, {"Sequence", "60"}, {"Duration", "60"}}));
+  const Table events = sheet_tables(back, known(), {}, false)[4];
+  EXPECT_THAT(std::vector(events.rows[5].cells.begin() + 4, events.rows[5].cells.begin() + 6),
+              ElementsAre("", "2026-07-02T06:00:00Z"));
+  EXPECT_EQ(events.rows[6].cells[4], "3");
+  Faults faults;
+  const std::string hash = read_plan("plan.kml", back, known(), faults).hash();
+  std::vector<Table> tables = sheet_tables(back, known(), {}, false);
+  for (Table& table : tables) table.has_letters = true;
+  Faults told;
+  const ImportedPlan again = import_tables(tables, known(), told);
+  EXPECT_FALSE(told.has_errors()) << faults_text(told);
+  EXPECT_EQ(read_plan("plan.kml", again.source, known(), faults).hash(), hash);
+}
+
 TEST(SheetTables, have_places_as_rows_of_one_table) {
   const std::vector<Table> tables = sheet_tables(plan(), known(), {}, true);
   ASSERT_EQ(tables.size(), 1u);

@@ -75,9 +75,11 @@ std::string xlsx(const std::string& rows, const std::string& after_rows = "",
        {"xl/styles.xml",
         head + "<styleSheet xmlns=\"" + main +
             "\"><numFmts count=\"1\"><numFmt numFmtId=\"164\" formatCode=\"0.0&quot; "
-            "km/h&quot;\"/></numFmts><cellXfs count=\"5\"><xf numFmtId=\"0\"/><xf "
-            "numFmtId=\"22\"/><xf numFmtId=\"14\"/><xf numFmtId=\"46\"/><xf "
-            "numFmtId=\"164\"/></cellXfs></styleSheet>"},
+            "km/h&quot;\"/><numFmt numFmtId=\"165\" formatCode=\"0.0 %\"/><numFmt numFmtId=\"166\" "
+            "formatCode=\"0&quot; % &quot;\"/></numFmts><cellXfs count=\"8\"><xf "
+            "numFmtId=\"0\"/><xf numFmtId=\"22\"/><xf numFmtId=\"14\"/><xf numFmtId=\"46\"/><xf "
+            "numFmtId=\"164\"/><xf numFmtId=\"9\"/><xf numFmtId=\"165\"/><xf "
+            "numFmtId=\"166\"/></cellXfs></styleSheet>"},
        {"xl/worksheets/sheet1.xml", head + "<worksheet xmlns=\"" + main + "\"><sheetData>" + rows +
                                         "</sheetData>" + after_rows + "</worksheet>"}});
 }
@@ -136,6 +138,27 @@ TEST(Workbook, has_spans_and_units_that_number_formats_show) {
   EXPECT_EQ(cell(row, 2), "5.5 km/h");
 }
 
+// A cell that shows 75 % holds 0.75 (ECMA-376-1, 18.8.30).
+TEST(Workbook, has_percents_as_they_are_seen) {
+  const auto cell_of = [](int style, const std::string& number) {
+    const SheetFile file(
+        "percent.xlsx",
+        xlsx(header + "<row r=\"2\">" + text_cell("A2", "Recharge") +
+             fmt::format("<c r=\"B2\" s=\"{}\"><v>{}</v></c></row>", style, number)));
+    return cell(file.tables().at(0).rows.at(0), 1);
+  };
+  EXPECT_EQ(cell_of(5, "0.75"), "75 %");
+  EXPECT_EQ(cell_of(6, "0.07"), "7 %");
+  EXPECT_EQ(cell_of(5, "1"), "100 %");
+  EXPECT_EQ(cell_of(0, "0.75"), "0.75");
+}
+
+TEST(Workbook, has_the_shortest_digits_of_a_number) {
+  const SheetFile file("digits.xlsx", xlsx(header + "<row r=\"2\">" + text_cell("A2", "Place") +
+                                           "<c r=\"B2\"><v>80.11781499999999</v></c></row>"));
+  EXPECT_EQ(cell(file.tables().at(0).rows.at(0), 1), "80.117815");
+}
+
 // An ODS archive whose cells B2 and, by its column, C2 show km/h.
 std::string ods() {
   const std::string names = R"(xmlns:office="urn:oasis:names:tc:opendocument:xmlns:office:1.0" )"
@@ -164,9 +187,15 @@ std::string ods() {
             R"(<office:spreadsheet><table:table table:name="Events">)" +
             R"(<table:table-column table:number-columns-repeated="2"/>)" +
             R"(<table:table-column table:default-cell-style-name="ce1"/><table:table-row>)" +
-            text("Type") + text("Speed") + text("Limit") + text("No") +
-            "</table:table-row><table:table-row>" + text("Route") +
+            text("Type") + text("Speed") + text("Limit") + text("No") + text("Share") +
+            text("Notes") + "</table:table-row><table:table-row>" + text("Route") +
             number("5.5", R"(table:style-name="ce1")") + number("7", "") + number("3", "") +
+            R"(<table:table-cell office:value-type="percentage" office:value="0.75">)" +
+            "<text:p>75%</text:p></table:table-cell>" +
+            R"(<table:table-cell office:value-type="string"><office:annotation><text:p>ask Ann)" +
+            "</text:p></office:annotation><text:p>two<text:s/> words</text:p><text:p>on lines" +
+            "</text:p></table:table-cell><table:table-cell><office:annotation><text:p>empty?" +
+            "</text:p></office:annotation></table:table-cell>" +
             "</table:table-row></table:table></office:spreadsheet></office:body>" +
             "</office:document-content>"}});
 }
@@ -177,6 +206,14 @@ TEST(Workbook, has_units_that_number_formats_of_ods_show) {
   EXPECT_EQ(cell(row, 1), "5.5 km/h");
   EXPECT_EQ(cell(row, 2), "7 km/h");
   EXPECT_EQ(cell(row, 3), "3");
+  EXPECT_EQ(cell(row, 4), "75 %");
+}
+
+TEST(Workbook, has_texts_of_ods_without_comments) {
+  const SheetFile file("comments.ods", ods());
+  const TableRow row = file.tables().at(0).rows.at(0);
+  EXPECT_EQ(cell(row, 5), "two  words\non lines");
+  EXPECT_EQ(cell(row, 6), "");
 }
 
 TEST(Workbook, is_judged_by_its_directory_before_it_is_opened) {

@@ -79,6 +79,8 @@ TEST_F(SourceTables, of_xpjson_are_stations_and_routes) {
   ASSERT_EQ(tables[1].rows.size(), 2u);
   EXPECT_THAT(tables[1].rows[0].cells, ElementsAre("Route", "End", "K10", "0.3", "0.5"));
   EXPECT_EQ(cell(tables[1].rows[1], 0), "Pause");
+  EXPECT_TRUE(tables[1].file.ends_with("plan.json/item")) << tables[1].file;
+  EXPECT_EQ(tables[1].rows[1].number, 3);
   ASSERT_EQ(left_out_.size(), 1u);
   EXPECT_THAT(left_out_[0], HasSubstr("P1: there is no event PeriodicPancam"));
 }
