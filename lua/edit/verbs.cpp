@@ -19,6 +19,7 @@
 #include "lua/edit/day_begins.h"
 #include "lua/host/mission_reader.h"
 #include "mission/ahead/expected_begins.h"
+#include "plan/suggestions.h"
 #include "product/rover_days.h"
 
 namespace lsos {
@@ -67,14 +68,25 @@ EventChoice choice_of(const EditOptions& options) {
 
 SimTime read_span(const std::string& text) {
   const bool is_back = text.starts_with('-');
-  const Parsed<double> span_s =
-      parse_quantity(text.substr(is_back || text.starts_with('+') ? 1 : 0), *find_unit("s"));
+  const std::string unsigned_text = text.substr(is_back || text.starts_with('+') ? 1 : 0);
+  if (parse_quantity(unsigned_text, *find_unit("1"))) {
+    throw InputError(
+        {}, fmt::format("--by {}: its unit is wanted, as in '{} d', '{} h' or '{} min'", text, text,
+                        text, text));
+  }
+  const Parsed<double> span_s = parse_quantity(unsigned_text, *find_unit("s"));
   if (!span_s || !(*span_s.value > 0)) {
     throw InputError({}, fmt::format("--by {}: a span is wanted, such as '+1 d', '-90 min' or "
                                      "'PT12H'{}",
                                      text, span_s ? "; this one moves nothing" : ""));
   }
   return from_seconds(is_back ? -*span_s.value : *span_s.value);
+}
+
+bool says_time(const PlanEvent& event) {
+  return event.start_time || event.at || std::ranges::any_of(event.params, [](const auto& param) {
+           return std::holds_alternative<Instant>(param.second);
+         });
 }
 
 std::string set_enabled(Editing& editing, bool is_enabled) {
@@ -163,6 +175,12 @@ std::string edit_shift(Editing& editing) {
   const EventNames names(editing.files.plan);
   ShiftedPart part{options.rover, nullptr};
   if (!options.from.empty()) part.from = &names.named("--from", options.from, options.rover);
+  if (part.from != nullptr && !says_time(*part.from)) {
+    editing.warnings.push_back(fmt::format(
+        "{}: {} {} says no time of its own: it begins when what is before it ends, which "
+        "has not moved",
+        options.from, part.from->type, quoted(part.from->label)));
+  }
   const int count = shift_times(editing.document, by, part);
   if (count == 0) {
     editing.warnings.push_back("none of the events meant says a time, so nothing moved");
