@@ -12,6 +12,7 @@
 #include "edit/event_names.h"
 #include "edit/merge.h"
 #include "edit/mirror.h"
+#include "edit/plan_notes.h"
 #include "edit/renumber.h"
 #include "edit/repeat.h"
 #include "edit/shift.h"
@@ -206,6 +207,7 @@ std::string edit_merge(Editing& editing) {
     const MissionFiles& other = *files.back();
     documents.push_back(std::make_unique<PlanDocument>(EditableFile(other.plan_bytes, file).kml(),
                                                        other.plan, other.catalog->declarations()));
+    erase_notes(*documents.back());
     others.push_back(documents.back().get());
   }
   const Merged merged = Merger(editing.document, others).run();
