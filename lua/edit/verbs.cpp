@@ -36,12 +36,20 @@ std::map<PlanEvent::Reference, SimTime> begins_of(const MissionFiles& files) {
   return expected_begins(synthesise(files.plan, files.catalog->declarations()), files.rover_models);
 }
 
-EventDays days_of(const MissionFiles& files) {
+EventDays days_by(const std::map<PlanEvent::Reference, SimTime>& begins) {
   EventDays days;
-  for (const auto& [event, begin] : begins_of(files)) {
-    days[event] = 1 + static_cast<int>(begin / day_length);
-  }
+  for (const auto& [event, begin] : begins) days[event] = 1 + static_cast<int>(begin / day_length);
   return days;
+}
+
+EventDays days_of(const MissionFiles& files) { return days_by(begins_of(files)); }
+
+// Days as if all events took part, so that `enable --day` means those that `disable --day` did.
+EventDays days_of_all(const MissionFiles& files) {
+  Plan plan = files.plan;
+  for (PlanEvent& event : plan.events) event.is_enabled = true;
+  return days_by(
+      expected_begins(synthesise(plan, files.catalog->declarations()), files.rover_models));
 }
 
 // "2" or "2..4".
@@ -98,7 +106,7 @@ std::string set_enabled(Editing& editing, bool is_enabled) {
                                  "--day, --type and --rover say it",
                                  editing.options.verb));
   }
-  const auto events = chosen_events(editing.files.plan, choice, days_of(editing.files));
+  const auto events = chosen_events(editing.files.plan, choice, days_of_all(editing.files));
   const auto changed =
       static_cast<std::size_t>(lsos::set_enabled(editing.document, events, is_enabled));
   std::string what =
