@@ -240,8 +240,9 @@ int check_command(const CheckOptions& options) {
     print_result("{}{}", check_text(files, routes, options.is_verbose),
                  estimate_text(estimate, options.is_verbose));
     if (options.has_timeline && !files.faults.has_errors()) {
-      print_result("{}",
-                   timeline_text(estimate, files.plan.activities, files.plan.mission.start_time));
+      print_result("{}  {}\n",
+                   timeline_text(estimate, files.plan.activities, files.plan.mission.start_time),
+                   timeline_legend);
     }
   }
   return files.faults.has_errors() ? 2 : 0;
@@ -264,8 +265,7 @@ std::function<int()> prepare_check(CommandOptions& command) {
   command.add_option("--seed", options->seed, "Instead of the plan's Seed").seed();
   command.add_flag(
       "--timeline", options->has_timeline,
-      "Days as lines of time: D drive, E EVA, S science, C charge, A antenna, W wait; "
-      "below n no Sun on its panels, s they are stowed, e no Earth, b that and n or s");
+      (std::string("Days as lines of time, a letter 20 min: ") + timeline_legend).c_str());
   command.add_option("--csv", options->csv, "A file for the estimate, a row an event");
   command.add_option("--kml", options->kml,
                      "A file for the plan with the estimate in its balloons, times and a folder");
