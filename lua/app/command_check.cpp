@@ -222,7 +222,8 @@ int check_command(const CheckOptions& options) {
         files.faults.warning({files.plan.file, 0},
                              "the estimate ends before the mission does: " + estimate.cut_short);
       }
-      if (!options.csv.empty()) write_file(options.csv, estimate_csv(estimate));
+      if (!options.csv.empty())
+        write_file(options.csv, estimate_csv(estimate, files.plan.mission.start_time));
       if (!options.kml.empty()) {
         write_file(options.kml, annotated_plan(files, simulation, estimate));
       }
@@ -245,7 +246,13 @@ int check_command(const CheckOptions& options) {
                    timeline_legend);
     }
   }
-  return files.faults.has_errors() ? 2 : 0;
+  if (!files.faults.has_errors()) return 0;
+  for (const auto& [option, file] :
+       {std::pair("--csv", options.csv), std::pair("--kml", options.kml)}) {
+    if (!file.empty())
+      print_message("{} {}: is not written, as the plan has errors\n", option, file);
+  }
+  return 2;
 }
 
 int fsm_command(const FsmOptions& options) {
