@@ -102,7 +102,8 @@ TEST_F(Edit, leaves_out_the_estimate_of_the_old_plan) {
   ASSERT_EQ(run({"check", plan("two_rovers"), "--kml", noted, "--quiet"}).exit_code, 0);
   const Outcome outcome = edit(noted, {"renumber"});
   EXPECT_THAT(outcome.err, HasSubstr("warning: the estimate in " + noted + " is left out"));
-  EXPECT_EQ(read_text(new_plan_).find("lsos-"), std::string::npos);
+  EXPECT_EQ(read_text(new_plan_).find("=\"lsos-"), std::string::npos);
+  EXPECT_EQ(read_text(new_plan_).find("lsos-estimate"), std::string::npos);
 }
 
 TEST_F(Edit, tells_where_generated_ground_moves) {

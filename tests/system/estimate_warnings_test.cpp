@@ -160,7 +160,7 @@ TEST(EstimateWarnings, tell_of_a_battery_that_is_empty_between_events_or_after_t
 }
 
 TEST(EstimateWarnings, tell_of_an_event_that_fails_before_it_begins) {
-  EXPECT_THAT(warnings({mission(), lrv("0.105"), event("Pause", "L", 1, {{"Duration", "5 h"}}),
+  EXPECT_THAT(warnings({mission(), lrv("0.05"), event("Pause", "L", 1, {{"Duration", "6 h"}}),
                         event("Route", "L", 2, {}, point("31.011,12")),
                         event("Pause", "L", 3, {{"Duration", "1 min"}})}),
               Contains(AllOf(HasSubstr("Route 'Route 2': by the estimate it fails at 2026-01-01T"),
@@ -172,8 +172,10 @@ TEST(EstimateWarnings, tell_of_a_timeout_and_of_what_does_not_take_place_then) {
   EXPECT_THAT(
       warnings({mission(), sev("A", near_side), pause(1, "2 h", {{"Timeout", "1 h"}}),
                 pause(2, "1 h"), pause(3, "1 h")}),
-      Contains(HasSubstr("Pause 'Pause 1': by the estimate it fails at 2026-01-01T01:00:00.000Z: "
-                         "timed out after 3600 s; 'Pause 2' and 1 more then do not take place")));
+      Contains(HasSubstr(
+          "Pause 'Pause 1': by the estimate it fails at 2026-01-01T01:00:00.000Z: "
+          "timed out after 3600 s; 3600 s of it were left; 'Pause 2' and 1 more then do not "
+          "take place")));
 }
 
 TEST(EstimateWarnings, tell_of_stop_when_only_where_it_is_not_meant) {
@@ -183,7 +185,8 @@ TEST(EstimateWarnings, tell_of_stop_when_only_where_it_is_not_meant) {
                      pause(2, "1 h")});
   };
   EXPECT_THAT(stopped("stop"),
-              ElementsAre(HasSubstr("StopWhen: time_s > 600; 'Pause 2' then does not take place")));
+              ElementsAre(AllOf(HasSubstr("StopWhen: time_s > 600; "),
+                                HasSubstr("; 'Pause 2' then does not take place"))));
   EXPECT_THAT(stopped("skip"), IsEmpty());
 }
 
