@@ -218,6 +218,7 @@ int check_command(const CheckOptions& options) {
       files.faults.add(
           estimate_warnings(estimate.events, simulation.plan(), files.faults.sorted()));
       files.faults.add(lack_warnings(estimate.lacks, simulation.plan()));
+      files.faults.add(doubt_warnings(estimate.events, estimate.lacks, simulation.plan()));
       if (!estimate.cut_short.empty()) {
         files.faults.warning({files.plan.file, 0},
                              "the estimate ends before the mission does: " + estimate.cut_short);

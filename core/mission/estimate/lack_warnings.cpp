@@ -116,4 +116,29 @@ std::vector<Fault> lack_warnings(const std::vector<Lack>& lacks, const Plan& pla
   return warnings;
 }
 
+std::vector<Fault> doubt_warnings(const std::vector<EventEstimate>& events,
+                                  const std::vector<Lack>& lacks, const Plan& plan) {
+  std::vector<Fault> warnings;
+  for (const EventEstimate& event : events) {
+    const std::optional<Expected>& seen = event.earth_visible_share;
+    const PlanEvent* planned = event_of(plan, event.rover_id, event.sequence);
+    if (planned == nullptr || !seen || seen->is_sure() || !event.start_s || !event.end_s) continue;
+    const std::string& asked = planned->warn_when.text;
+    if (asked.find("'Earth'") == std::string::npos && asked.find("\"Earth\"") == std::string::npos)
+      continue;
+    const bool is_told = std::ranges::any_of(lacks, [&](const Lack& lack) {
+      return lack.kind == LackKind::condition && lack.rover_id == event.rover_id &&
+             lack.begin_s <= *event.end_s && lack.end_s >= *event.start_s;
+    });
+    if (is_told) continue;
+    warnings.push_back(
+        {Severity::warning, planned->place,
+         fmt::format(
+             "{} '{}': by the estimate WarnWhen may hold: {}; Earth is near the horizon, and "
+             "in view for {:.0f} to {:.0f} % of its time",
+             event.type, event.label, asked, 100 * seen->low, 100 * seen->high)});
+  }
+  return warnings;
+}
+
 }  // namespace lsos
