@@ -28,6 +28,13 @@ double number(const std::string& text) {
   return *value.value;
 }
 
+// A place with its altitude, if any: that follows behind a comma of its own, which a pattern of two
+// numbers would take for one between longitude and latitude if it began there.
+const std::regex& tuple_pattern() {
+  static const std::regex tuple(R"([-+.0-9eE]+(\s*,\s*[-+.0-9eEnNaA]*)+)");
+  return tuple;
+}
+
 }  // namespace
 
 std::string coordinates_text(const Geodetic& place) {
@@ -36,12 +43,10 @@ std::string coordinates_text(const Geodetic& place) {
 
 std::string moved_coordinates(const std::string& text, const Body& body, const Vec2& offset_m) {
   static const std::regex place(R"(([-+.0-9eE]+)\s*,\s*([-+.0-9eE]+))");
-  // The altitude, if any, follows behind a comma of its own, which the pattern would take for one
-  // between longitude and latitude if it began there.
-  static const std::regex tuple(R"([-+.0-9eE]+(\s*,\s*[-+.0-9eEnNaA]*)+)");
   std::string moved;
   auto rest = text.cbegin();
-  for (std::sregex_iterator each(text.begin(), text.end(), tuple), none; each != none; ++each) {
+  for (std::sregex_iterator each(text.begin(), text.end(), tuple_pattern()), none; each != none;
+       ++each) {
     moved.append(rest, (*each)[0].first);
     const std::string whole = (*each)[0].str();
     std::smatch parts;
@@ -70,6 +75,22 @@ void set_point(PlanDocument& document, const PlanMark& mark, const std::string& 
   const std::vector<KmlElement> places = coordinates_of(mark.element);
   if (places.size() != 1) refuse(document, mark);
   set_text(places.front(), coordinates);
+}
+
+void set_line_ends(PlanDocument& document, const PlanMark& mark, const std::string& first,
+                   const std::string& last) {
+  const std::vector<KmlElement> places = coordinates_of(mark.element);
+  if (places.size() != 1) refuse(document, mark);
+  std::string text = text_of(places.front());
+  std::vector<std::pair<std::size_t, std::size_t>> tuples;  // begin, length
+  for (std::sregex_iterator each(text.begin(), text.end(), tuple_pattern()), none; each != none;
+       ++each) {
+    tuples.emplace_back(each->position(), each->length());
+  }
+  LSOS_ASSERT(tuples.size() > 1);
+  if (!last.empty()) text.replace(tuples.back().first, tuples.back().second, last);
+  if (!first.empty()) text.replace(tuples.front().first, tuples.front().second, first);
+  set_text(places.front(), text);
 }
 
 }  // namespace lsos

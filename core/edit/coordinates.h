@@ -21,4 +21,9 @@ void move_places(PlanDocument& document, const PlanMark& mark, const Vec2& offse
 // where it stands in no <coordinates>.
 void set_point(PlanDocument& document, const PlanMark& mark, const std::string& coordinates);
 
+// Puts other ends in place of those of a line; "": that end stays. Altitudes are left out. Throws
+// InputError where it stands in no <coordinates>.
+void set_line_ends(PlanDocument& document, const PlanMark& mark, const std::string& first,
+                   const std::string& last);
+
 }  // namespace lsos

@@ -26,10 +26,12 @@ void name_by_sequence(PlanDocument& document, const EventNames& names,
   }
 }
 
-// The last of the copied Placemarks within each parent.
+// The last of the copied Placemarks, and of earlier copies, within each parent.
 std::map<KmlElement, KmlElement> last_siblings(PlanDocument& document,
-                                               const std::vector<EventCopy>& copies) {
+                                               const std::vector<EventCopy>& copies,
+                                               const std::vector<PlanMark>& earlier) {
   std::set<KmlElement> copied;
+  for (const PlanMark& mark : earlier) copied.insert(mark.element);
   for (const EventCopy& copy : copies) copied.insert(document.mark(*copy.event).element);
   std::map<KmlElement, KmlElement> last;
   for (const KmlElement element : document.dom().placemarks()) {
@@ -53,7 +55,8 @@ std::vector<std::int64_t> sequences_behind(const std::vector<const PlanEvent*>& 
 }
 
 CopiedEvents copy_events(PlanDocument& document, const EventNames& names,
-                         const std::vector<EventCopy>& copies) {
+                         const std::vector<EventCopy>& copies,
+                         const std::vector<PlanMark>& earlier) {
   std::map<PlanEvent::Reference, PlanEvent::Reference> copy_of;
   std::set<std::string> labels;
   for (const EventCopy& copy : copies) {
@@ -61,7 +64,7 @@ CopiedEvents copy_events(PlanDocument& document, const EventNames& names,
     if (names.count(copy.name) > 0) labels.insert(copy.name);
   }
   name_by_sequence(document, names, labels);
-  std::map<KmlElement, KmlElement> last = last_siblings(document, copies);
+  std::map<KmlElement, KmlElement> last = last_siblings(document, copies, earlier);
   CopiedEvents copied;
   for (const EventCopy& copy : copies) {
     PlanMark mark = document.mark(*copy.event);

@@ -26,10 +26,12 @@ struct CopiedEvents {
   std::vector<std::string> warnings;  // of what is left out
 };
 
-// Copies the Placemarks, each behind those beside it. References from one to another lead to the
-// copies, others to what they led to; an OnFailure = goto that no copy stands for is left out.
-// References of other events by a label that is no longer that of one event become ROVER/SEQUENCE.
+// Copies the Placemarks, each behind those beside it, and behind `earlier` copies there. References
+// from one to another lead to the copies, others to what they led to; an OnFailure = goto that no
+// copy stands for is left out. References of other events by a label that is no longer that of one
+// event become ROVER/SEQUENCE.
 CopiedEvents copy_events(PlanDocument& document, const EventNames& names,
-                         const std::vector<EventCopy>& copies);
+                         const std::vector<EventCopy>& copies,
+                         const std::vector<PlanMark>& earlier = {});
 
 }  // namespace lsos

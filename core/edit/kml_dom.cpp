@@ -77,12 +77,41 @@ void collect_placemarks(KmlElement element, std::vector<KmlElement>& found) {
   for (const KmlElement each : children(element)) collect_placemarks(each, found);
 }
 
+// The namespace of that name by which `parent` knows it: by the prefix asked for, else by that of
+// the parent, else as the default one. nullptr when by none of these.
+xmlNs* known_namespace(KmlElement parent, const xmlNs* wanted, const xmlChar* prefix) {
+  const xmlChar* parents = parent->ns == nullptr ? nullptr : parent->ns->prefix;
+  for (const xmlChar* each : {prefix, parents, static_cast<const xmlChar*>(nullptr)}) {
+    xmlNs* found = xmlSearchNs(parent->doc, parent, each);
+    if (found != nullptr && xmlStrEqual(found->href, wanted->href)) return found;
+  }
+  return nullptr;
+}
+
+// Gives a copy and all in it the namespaces as their surroundings name them: where one has several
+// prefixes, as Google Earth declares two for KML, libxml2 takes any of them, and readers know one.
+void name_as_around(xmlNode* copy, const xmlNode* original, KmlElement parent) {
+  if (copy->nsDef != nullptr) return;  // its prefixes are its own
+  if (copy->ns != nullptr) {
+    const bool is_same_document = original->doc == parent->doc;
+    const xmlChar* prefix =
+        is_same_document && original->ns != nullptr ? original->ns->prefix : nullptr;
+    if (xmlNs* found = known_namespace(parent, copy->ns, prefix)) copy->ns = found;
+  }
+  const xmlNode* from = original->children;
+  for (xmlNode* node = copy->children; node != nullptr && from != nullptr; node = node->next) {
+    if (node->type == XML_ELEMENT_NODE) name_as_around(node, from, parent);
+    from = from->next;
+  }
+}
+
 // A copy within the namespaces that are known in `parent`.
 xmlNode* copied(KmlElement element, KmlElement parent) {
   xmlNode* copy = nullptr;
   const int failed =
       xmlDOMWrapCloneNode(nullptr, element->doc, element, &copy, parent->doc, parent, 1, 0);
   LSOS_ASSERT(failed == 0 && copy != nullptr);
+  name_as_around(copy, element, parent);
   if (element->doc == parent->doc) xmlUnsetProp(copy, xml("id"));
   return copy;
 }
@@ -297,7 +326,8 @@ void append_text(KmlElement element, const std::string& text) {
   xmlAddChild(element, xmlNewDocText(element->doc, xml(text.c_str())));
 }
 
-void erase_text(KmlElement element, std::string_view begin, std::string_view end) {
+bool erase_text(KmlElement element, std::string_view begin, std::string_view end) {
+  bool was_there = false;
   for (xmlNode* node = element->children; node != nullptr; node = node->next) {
     if (!is_text(node)) continue;
     std::string text(view(node->content));
@@ -305,7 +335,9 @@ void erase_text(KmlElement element, std::string_view begin, std::string_view end
     if (from == std::string::npos || to == std::string::npos) continue;
     text.erase(from, to + end.size() - from);
     xmlNodeSetContent(node, xml(text.c_str()));
+    was_there = true;
   }
+  return was_there;
 }
 
 void for_each_element(KmlElement parent, const std::function<void(KmlElement)>& visit) {

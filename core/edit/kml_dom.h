@@ -78,8 +78,8 @@ std::string text_of(KmlElement element);
 void set_text(KmlElement element, const std::string& text);
 // Puts a text behind what stands in the element, which keeps its CDATA.
 void append_text(KmlElement element, const std::string& text);
-// Takes away what was appended: from `begin` to `end`, with both.
-void erase_text(KmlElement element, std::string_view begin, std::string_view end);
+// Takes away what was appended: from `begin` to `end`, with both. Returns whether it was there.
+bool erase_text(KmlElement element, std::string_view begin, std::string_view end);
 // The texts of coordinates of a Placemark's geometry, of Points, lines and rings; none where its
 // place stands in something else (gx:Track, Camera).
 std::vector<KmlElement> coordinates_of(KmlElement placemark);

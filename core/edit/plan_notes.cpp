@@ -14,26 +14,6 @@ constexpr const char* our_prefix = "lsos-";
 
 bool is_ours(KmlElement element) { return attribute(element, "id").starts_with(our_prefix); }
 
-void erase_notes(PlanDocument& document) {
-  KmlDom& dom = document.dom();
-  std::vector<KmlElement> gone;
-  for_each_element(dom.root(), [&](KmlElement each) {
-    const std::string_view name = local_name(each);
-    if ((name == "Style" || name == "Folder" || name == "TimeSpan") && is_ours(each)) {
-      gone.push_back(each);
-    }
-  });
-  // Inside a folder that goes nothing else is ours to remove: it has no ids.
-  for (const KmlElement each : gone) dom.remove(each);
-  for (const KmlElement placemark : dom.placemarks()) {
-    const KmlElement description = child(placemark, "description");
-    if (description == nullptr) continue;
-    const bool was_empty = text_of(description).empty();
-    erase_text(description, note_begin, note_end);
-    if (!was_empty && text_of(description).empty()) dom.remove(description);
-  }
-}
-
 void put_note(PlanDocument& document, const EventNote& note, int number) {
   KmlDom& dom = document.dom();
   const KmlElement placemark = document.mark(*note.event).element;
@@ -61,6 +41,28 @@ KmlElement container_of(KmlDom& dom) {
 }
 
 }  // namespace
+
+bool erase_notes(PlanDocument& document) {
+  KmlDom& dom = document.dom();
+  std::vector<KmlElement> gone;
+  for_each_element(dom.root(), [&](KmlElement each) {
+    const std::string_view name = local_name(each);
+    if ((name == "Style" || name == "Folder" || name == "TimeSpan") && is_ours(each)) {
+      gone.push_back(each);
+    }
+  });
+  // Inside a folder that goes nothing else is ours to remove: it has no ids.
+  for (const KmlElement each : gone) dom.remove(each);
+  bool has_any = !gone.empty();
+  for (const KmlElement placemark : dom.placemarks()) {
+    const KmlElement description = child(placemark, "description");
+    if (description == nullptr) continue;
+    const bool was_empty = text_of(description).empty();
+    has_any |= erase_text(description, note_begin, note_end);
+    if (!was_empty && text_of(description).empty()) dom.remove(description);
+  }
+  return has_any;
+}
 
 void put_notes(PlanDocument& document, const std::vector<EventNote>& notes,
                const std::string& kml) {

@@ -20,4 +20,7 @@ struct EventNote {
 // replaced.
 void put_notes(PlanDocument& document, const std::vector<EventNote>& notes, const std::string& kml);
 
+// Takes away what put_notes() wrote. Returns whether there was anything.
+bool erase_notes(PlanDocument& document);
+
 }  // namespace lsos

@@ -30,8 +30,9 @@ struct Repeated {
 // times that they say, and the first of a rover has a StartTime so that the days do not run into
 // each other. The day stands behind their names, except those that OnFailure of MissionInfo or a
 // Rover goes to. When there are places, each Point of the days gets the next one; equal Points one
-// together, and those within 50 m of an asset or of the rover's start stay. Throws InputError where
-// the places are too few.
+// together, and those within 50 m of an asset or of the rover's start stay. Ends of lines that are
+// at one of these Points go with it; lines and areas that stay are warned of. Throws InputError
+// where the places are too few.
 Repeated repeat(PlanDocument& document, const Repetition& repetition, const EventDays& days);
 
 }  // namespace lsos

@@ -14,14 +14,14 @@ namespace {
 // What events have been waited for for so long is not expected to come.
 constexpr SimTime idle_max = std::chrono::hours(100 * 24);
 
-// Says of events whose turn came what they wait for, where the estimate ends before they start.
+// Says of events that are not over what they wait for or do, where the estimate ends before them.
 void tell_what_is_awaited(Simulation& simulation, std::vector<EventEstimate>& events) {
   simulation.stop("the estimate is cut short");
   for (const EventRow& row : simulation.events()) {
     const auto event = std::ranges::find_if(events, [&](const EventEstimate& each) {
       return each.rover_id == row.rover_id && each.sequence == row.sequence;
     });
-    if (event == events.end() || !event->ready_s || event->start_s) continue;
+    if (event == events.end() || event->over_s) continue;
     event->status = row.status;
     event->reason = row.reason;
   }
@@ -51,6 +51,12 @@ MissionEstimate estimate_mission(Simulation& simulation) {
   estimate.events = watch.events(simulation.fleet(), simulation.plan().mission.start_time);
   estimate.days = watch.days(simulation.fleet());
   estimate.lacks = watch.lacks();
+  // Where nothing takes place any more, as rovers wait for what never comes, that alone is told.
+  if (const std::optional<SimTime> idle_since = watch.idle_since()) {
+    std::erase_if(estimate.lacks, [&](const Lack& lack) {
+      return lack.below_s.value_or(lack.begin_s) >= seconds(*idle_since);
+    });
+  }
   estimate.shades = watch.shades(simulation.fleet());
   estimate.end_s = seconds(simulation.now());
   if (!estimate.cut_short.empty()) tell_what_is_awaited(simulation, estimate.events);

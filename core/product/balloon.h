@@ -12,6 +12,7 @@ namespace lsos {
 // Each returns HTML. Values that are not modelled are left out.
 std::string balloon(const SampleRow& row, Instant start);
 std::string balloon(const EventRow& row, Instant start);
+std::string balloon(const NoteRow& note, Instant start);
 std::string balloon(const PlannedPathRow& row);
 std::string balloon(const EventEstimate& event, Instant start);
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/csv.h"
+#include "planet/utc.h"
 
 namespace lsos {
 
@@ -43,7 +44,8 @@ struct Line {
   std::string name;
   std::optional<double> start_s, distance_m, solar_j;
   std::optional<Expected> end_s, energy_used_j, charge_end, charge_min;
-  double all_s = 0;  // time that shares are of
+  int failing = 0, cut_off = 0, skipped = 0, not_begun = 0;  // events that do not complete
+  double all_s = 0;                                          // time that shares are of
   Expected lit_s, seen_s;
   bool is_lit_known = false, is_seen_known = false;
 };
@@ -58,7 +60,15 @@ void add(Expected& sum_s, double takes_s, const std::optional<Expected>& share) 
   sum_s.high += takes_s * share->high;
 }
 
+void add_outcome(Line& line, EventStatus status) {
+  if (status == EventStatus::failed) ++line.failing;
+  if (status == EventStatus::incomplete) ++line.cut_off;
+  if (status == EventStatus::skipped) ++line.skipped;
+  if (status == EventStatus::not_started) ++line.not_begun;
+}
+
 void add(Line& line, const EventEstimate& event) {
+  add_outcome(line, event.status);
   if (event.start_s && !line.start_s) line.start_s = event.start_s;
   if (!event.end_s) return;
   line.end_s = range_of(event.end_s, event.end_range_s);
@@ -141,9 +151,24 @@ std::string range_text(const std::optional<Expected>& value, double unit, int di
   return low + "-" + high + suffix;
 }
 
+// "fails"; of several events "1 fails, 3 never begin".
+std::string outcome_text(const Line& line, bool is_each) {
+  std::string text;
+  const auto tell = [&](int count, const char* one, const char* many) {
+    if (count == 0) return;
+    if (!text.empty()) text += ", ";
+    text += is_each ? one : fmt::format("{} {}", count, count == 1 ? one : many);
+  };
+  tell(line.failing, "fails", "fail");
+  tell(line.cut_off, "is cut off", "are cut off");
+  tell(line.skipped, "is skipped", "are skipped");
+  tell(line.not_begun, "never begins", "never begin");
+  return text;
+}
+
 using Cells = std::vector<std::string>;
 
-Cells cells_of(const Line& line) {
+Cells cells_of(const Line& line, bool is_each) {
   const auto share = [&](bool is_known, const Expected& of_s) -> std::optional<Expected> {
     if (!is_known || line.all_s <= 0) return {};
     return Expected{of_s.low / line.all_s, of_s.high / line.all_s};
@@ -158,10 +183,11 @@ Cells cells_of(const Line& line) {
           range_text(line.charge_end, 0.01, 1, "%"),
           range_text(line.charge_min, 0.01, 1, "%"),
           range_text(share(line.is_lit_known, line.lit_s), 0.01, 0, "%"),
-          range_text(share(line.is_seen_known, line.seen_s), 0.01, 0, "%")};
+          range_text(share(line.is_seen_known, line.seen_s), 0.01, 0, "%"),
+          outcome_text(line, is_each)};
 }
 
-// The first column on the left, all others on the right.
+// The first column and the last, of words, on the left, all others on the right.
 std::string table_text(const std::vector<Cells>& rows) {
   std::vector<std::size_t> widths;
   for (const Cells& row : rows) {
@@ -171,8 +197,10 @@ std::string table_text(const std::vector<Cells>& rows) {
   std::string text;
   for (const Cells& row : rows) {
     text += fmt::format("  {:<{}}", row[0], widths[0]);
-    for (std::size_t k = 1; k < row.size(); ++k) text += fmt::format("  {:>{}}", row[k], widths[k]);
-    text += "\n";
+    for (std::size_t k = 1; k + 1 < row.size(); ++k) {
+      text += fmt::format("  {:>{}}", row[k], widths[k]);
+    }
+    text += (row.back().empty() ? "" : "  " + row.back()) + "\n";
   }
   return text;
 }
@@ -185,6 +213,8 @@ Json estimate_json(const MissionEstimate& estimate) {
     events.push_back({{"rover_id", event.rover_id},
                       {"sequence", event.sequence},
                       {"label", event.label},
+                      {"status", to_string(event.status)},
+                      {"reason", event.reason},
                       {"start_s", to_json(event.start_s)},
                       {"end_s", to_json(event.end_s, event.end_range_s)},
                       {"distance_m", to_json(event.distance_m)},
@@ -214,12 +244,16 @@ std::string estimate_file_text(const MissionEstimate& estimate) {
   return whole.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::string estimate_csv(const MissionEstimate& estimate) {
+std::string estimate_csv(const MissionEstimate& estimate, Instant mission_start) {
+  const auto utc = [&](const std::optional<double>& time_s) {
+    return time_s ? format_utc(mission_start + from_seconds(*time_s)) : "";
+  };
   std::string text =
       "rover_id,sequence,type,label,start_s,end_s,distance_m,energy_used_j,solar_j,charge_end,"
       "charge_min,sunlit_share_low,sunlit_share_high,earth_visible_share_low,"
       "earth_visible_share_high,end_s_low,end_s_high,energy_used_j_low,energy_used_j_high,"
-      "charge_end_low,charge_end_high,charge_min_low,charge_min_high\n";
+      "charge_end_low,charge_end_high,charge_min_low,charge_min_high,status,reason,"
+      "start_utc,end_utc\n";
   for (const EventEstimate& event : estimate.events) {
     text += fmt::format("{},{},{},{}", csv_cell(event.rover_id), event.sequence,
                         csv_cell(event.type), csv_cell(event.label));
@@ -234,7 +268,8 @@ std::string estimate_csv(const MissionEstimate& estimate) {
           range_of(event.charge_min, event.charge_min_range)}) {
       text += range ? fmt::format(",{},{}", range->low, range->high) : ",,";
     }
-    text += "\n";
+    text += fmt::format(",{},{},{},{}\n", to_string(event.status), csv_cell(event.reason),
+                        utc(event.start_s), utc(event.end_s));
   }
   return text;
 }
@@ -248,10 +283,14 @@ std::string estimate_text(const MissionEstimate& estimate, bool is_verbose) {
   } else {
     lines = lines_by_days(estimate.events);
   }
-  std::vector<Cells> rows{
-      {"estimate", "start", "end", "km", "used kWh", "sun kWh", "charge", "least", "lit", "Earth"}};
-  for (const Line& line : lines) rows.push_back(cells_of(line));
-  std::string text = table_text(rows);
+  std::vector<Cells> rows{{"estimate", "start", "end", "km", "used kWh", "sun kWh", "charge",
+                           "least", "lit", "Earth", ""}};
+  for (const Line& line : lines) rows.push_back(cells_of(line, is_each));
+  std::string text =
+      "  estimated: start and end as day and hh:mm since the mission's start; used by events "
+      "alone, "
+      "not while waiting between them\n" +
+      table_text(rows);
   if (!is_each) {
     text += fmt::format("  {} events in all: --verbose lists them\n", estimate.events.size());
   }

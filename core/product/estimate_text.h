@@ -18,7 +18,7 @@ nlohmann::ordered_json estimate_json(const MissionEstimate& estimate);
 
 // The same as a table with a heading; cells of what cannot be known are empty, shares have a column
 // for either end.
-std::string estimate_csv(const MissionEstimate& estimate);
+std::string estimate_csv(const MissionEstimate& estimate, Instant mission_start);
 
 // What a run's folder has of its estimate, for the report: an object with `events`, as above, and
 // `days`, an object a rover and day.

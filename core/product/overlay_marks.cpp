@@ -10,6 +10,7 @@
 #include <utility>
 #include <variant>
 
+#include "base/replaced.h"
 #include "base/units.h"
 #include "planet/meridian.h"
 #include "product/balloon.h"
@@ -231,11 +232,11 @@ OverlayMarks moving_point(const RoverTrack& track, Instant start, const std::str
 OverlayMarks note_points(const ThinnedNotes& notes, Instant start) {
   OverlayMarks marks;
   for (const NoteRow& note : notes.rows) {
-    KmlPlacemark mark = placemark(note, start, note.name);
-    mark.description = html_text(
-        fmt::format("{} at {} s: {}", note.rover_id, seconds(note.time), note.fields_json));
     // It shows where the warning began, so it stays on the map.
     const bool is_warning = note.name == "warn_when";
+    KmlPlacemark mark =
+        placemark(note, start, is_warning ? "WarnWhen holds" : replaced(note.name, "_", " "));
+    mark.description = balloon(note, start);
     if (is_warning) mark.style_id = warning_style_id;
     (is_warning ? mark.begin_utc : mark.when_utc) = xml_time(start + note.time);
     mark.geometry = point(note.place);

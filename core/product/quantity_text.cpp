@@ -51,7 +51,11 @@ std::string quantity_label(const std::string& name) {
 std::string quantity_text(const std::string& name, double value, int digits) {
   const ShownUnit* unit = unit_of(name, value);
   if (unit == nullptr) return fmt::format("{:.{}g}", value, digits);
-  return fmt::format("{:.{}g}{}", value / unit->factor, digits, unit->unit);
+  const double shown = value / unit->factor;
+  // Rather all whole digits than an exponent.
+  const bool is_large = std::abs(shown) >= std::pow(10, digits) && std::abs(shown) < 1e9;
+  if (is_large) return fmt::format("{:.0f}{}", shown, unit->unit);
+  return fmt::format("{:.{}g}{}", shown, digits, unit->unit);
 }
 
 std::string change_text(const std::string& name, double change, int digits) {

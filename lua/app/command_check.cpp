@@ -218,11 +218,13 @@ int check_command(const CheckOptions& options) {
       files.faults.add(
           estimate_warnings(estimate.events, simulation.plan(), files.faults.sorted()));
       files.faults.add(lack_warnings(estimate.lacks, simulation.plan()));
+      files.faults.add(doubt_warnings(estimate.events, estimate.lacks, simulation.plan()));
       if (!estimate.cut_short.empty()) {
         files.faults.warning({files.plan.file, 0},
                              "the estimate ends before the mission does: " + estimate.cut_short);
       }
-      if (!options.csv.empty()) write_file(options.csv, estimate_csv(estimate));
+      if (!options.csv.empty())
+        write_file(options.csv, estimate_csv(estimate, files.plan.mission.start_time));
       if (!options.kml.empty()) {
         write_file(options.kml, annotated_plan(files, simulation, estimate));
       }
@@ -240,11 +242,18 @@ int check_command(const CheckOptions& options) {
     print_result("{}{}", check_text(files, routes, options.is_verbose),
                  estimate_text(estimate, options.is_verbose));
     if (options.has_timeline && !files.faults.has_errors()) {
-      print_result("{}",
-                   timeline_text(estimate, files.plan.activities, files.plan.mission.start_time));
+      print_result("{}  {}\n",
+                   timeline_text(estimate, files.plan.activities, files.plan.mission.start_time),
+                   timeline_legend);
     }
   }
-  return files.faults.has_errors() ? 2 : 0;
+  if (!files.faults.has_errors()) return 0;
+  for (const auto& [option, file] :
+       {std::pair("--csv", options.csv), std::pair("--kml", options.kml)}) {
+    if (!file.empty())
+      print_message("{} {}: is not written, as the plan has errors\n", option, file);
+  }
+  return 2;
 }
 
 int fsm_command(const FsmOptions& options) {
@@ -264,8 +273,7 @@ std::function<int()> prepare_check(CommandOptions& command) {
   command.add_option("--seed", options->seed, "Instead of the plan's Seed").seed();
   command.add_flag(
       "--timeline", options->has_timeline,
-      "Days as lines of time: D drive, E EVA, S science, C charge, A antenna, W wait; "
-      "below n no Sun on its panels, s they are stowed, e no Earth, b that and n or s");
+      (std::string("Days as lines of time, a letter 20 min: ") + timeline_legend).c_str());
   command.add_option("--csv", options->csv, "A file for the estimate, a row an event");
   command.add_option("--kml", options->kml,
                      "A file for the plan with the estimate in its balloons, times and a folder");

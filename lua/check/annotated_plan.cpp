@@ -37,6 +37,11 @@ std::string warnings_html(const std::vector<std::string>& warnings) {
   return html;
 }
 
+std::string not_begun_html(const EventEstimate& event) {
+  const std::string why = event.reason.empty() ? "." : ": " + html_text(event.reason);
+  return fmt::format("<p>It is not expected to begin{}</p>", why);
+}
+
 std::string utc(const Plan& plan, const std::optional<double>& time_s) {
   return time_s ? format_utc(plan.mission.start_time + from_seconds(*time_s)) : "";
 }
@@ -63,8 +68,8 @@ std::string annotated_plan(const MissionFiles& files, const Simulation& simulati
       note.html += "<p>It is disabled.</p>";
     } else {
       const EventEstimate& expected = *found->second;
-      note.html += expected.start_s ? balloon(expected, plan.mission.start_time)
-                                    : "<p>It is not expected to begin.</p>";
+      note.html +=
+          expected.start_s ? balloon(expected, plan.mission.start_time) : not_begun_html(expected);
       note.begin_utc = utc(plan, expected.start_s);
       note.end_utc = utc(plan, expected.end_s);
     }
@@ -75,7 +80,8 @@ std::string annotated_plan(const MissionFiles& files, const Simulation& simulati
   std::string others = fmt::format(
       "<p>What lsos-host check expects: points where events end, with the time (UTC) and the "
       "charge "
-      "then. Green from 60 % on, yellow from 30 %, orange below; red: it is expected to fail.</p>");
+      "then. Green from 60 % on, yellow from 30 %, orange below; red: it is expected to fail or "
+      "to be cut off.</p>");
   for (const auto& [line, texts] : warnings) others += warnings_html(texts);
   const KmlDocument map =
       estimate_map(plan, estimate, event_courses(simulation, declarations), others);

@@ -29,7 +29,8 @@ constexpr Outcome failing{"lsos-fails", "ff1c19d7", 6, OverlayIcon::cross};
 constexpr Outcome outcomes[] = {plenty, some, little, unpowered, failing};
 
 const Outcome& outcome_of(const EventEstimate& event) {
-  if (!event.reason.empty() || event.status == EventStatus::failed) return failing;
+  const bool is_cut_off = event.status == EventStatus::incomplete;
+  if (is_cut_off || event.status == EventStatus::failed) return failing;
   if (!event.charge_end) return unpowered;
   return *event.charge_end >= 0.6 ? plenty : *event.charge_end >= 0.3 ? some : little;
 }
@@ -56,7 +57,8 @@ std::string label_of(const EventEstimate& event, const Plan& plan) {
   label += fmt::format("#{} {}", event.sequence, event.type);
   if (event.end_s) label += " " + utc(plan.mission.start_time, *event.end_s).substr(11, 5);
   if (event.charge_end) label += fmt::format(" {:.0f} %", 100 * *event.charge_end);
-  return label + (&outcome_of(event) == &failing ? " fails" : "");
+  if (event.status == EventStatus::incomplete) return label + " is cut off";
+  return label + (event.status == EventStatus::failed ? " fails" : "");
 }
 
 // Paths that are planned, in the order of their waypoints.

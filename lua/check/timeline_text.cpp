@@ -75,6 +75,22 @@ char letter_at(const Lane& lane, double begin_s) {
   return most == taken_s.end() ? '.' : most->first;
 }
 
+// The letters of all cells. Drives are what a planner looks for, so that each has one.
+std::string letters_of(const Lane& lane, int cells) {
+  std::string letters;
+  for (int cell = 0; cell < cells; ++cell) letters += letter_at(lane, cell * cell_s);
+  for (const Bar& bar : lane.bars) {
+    if (bar.letter != 'D' || letters.empty()) continue;
+    const auto cell_of = [&](double time_s) {
+      return std::min(letters.size() - 1, static_cast<std::size_t>(time_s / cell_s));
+    };
+    const std::size_t first = cell_of(bar.time.begin_s), last = cell_of(bar.time.end_s);
+    if (letters.substr(first, last + 1 - first).find('D') != std::string::npos) continue;
+    letters[cell_of((bar.time.begin_s + bar.time.end_s) / 2)] = 'D';
+  }
+  return letters;
+}
+
 // Whether the spans take more than half of a cell.
 bool covers(const std::vector<ShadeSpan>& spans, double begin_s) {
   double sum_s = 0;
@@ -114,6 +130,9 @@ std::string timeline_text(const MissionEstimate& estimate,
   for (const Lane& lane : lanes) {
     width = std::max(width, std::min<std::size_t>(lane.shade.rover_id.size(), 12));
   }
+  const int cells = static_cast<int>(std::ceil(estimate.end_s / cell_s - 1e-9));
+  std::vector<std::string> letters;
+  for (const Lane& lane : lanes) letters.push_back(letters_of(lane, cells));
   std::string text;
   const int days = std::max(1, static_cast<int>(std::ceil(estimate.end_s / day_s - 1e-9)));
   for (int day = 0; day < days; ++day) {
@@ -122,11 +141,14 @@ std::string timeline_text(const MissionEstimate& estimate,
                         format_utc(start + from_seconds(begin_s)).substr(0, 10));
     text +=
         without_end_blanks(fmt::format("  {:<{}} {}", "UTC", width, clock_line(start, begin_s)));
-    for (const Lane& lane : lanes) {
-      std::string events, shades;
+    for (std::size_t k = 0; k < lanes.size(); ++k) {
+      const Lane& lane = lanes[k];
+      const auto first = static_cast<std::size_t>(day * cells_a_day);
+      const std::string events =
+          letters[k].size() > first ? letters[k].substr(first, cells_a_day) : "";
+      std::string shades;
       for (int cell = 0; cell < cells_a_day; ++cell) {
         const double at_s = begin_s + cell * cell_s;
-        events += at_s < estimate.end_s ? letter_at(lane, at_s) : ' ';
         shades += at_s < estimate.end_s ? shade_at(lane, at_s) : ' ';
       }
       const std::string id = lane.shade.rover_id.substr(0, width);

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "edit/editable_file.h"
+#include "edit/plan_notes.h"
 #include "lua/edit/verbs.h"
 
 namespace lsos {
@@ -157,6 +158,13 @@ EditOutcome edited(const EditOptions& options, const MissionFiles& files) {
                                      options.output, ending));
   }
   Editing editing{options, files, {file.kml(), files.plan, files.catalog->declarations()}, {}};
+  // It would be that of another plan.
+  if (erase_notes(editing.document)) {
+    editing.warnings.push_back(
+        fmt::format("the estimate in {} is left out, as the new plan has another; 'check --kml' "
+                    "puts it in",
+                    files.plan.file));
+  }
   std::string what = verb_of(options).edit(editing);
   editing.document.follow_rasters(options.output);
   return {file.with(editing.document.text()), std::move(what), std::move(editing.warnings)};

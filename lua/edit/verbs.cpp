@@ -12,6 +12,7 @@
 #include "edit/event_names.h"
 #include "edit/merge.h"
 #include "edit/mirror.h"
+#include "edit/plan_notes.h"
 #include "edit/renumber.h"
 #include "edit/repeat.h"
 #include "edit/shift.h"
@@ -19,6 +20,7 @@
 #include "lua/edit/day_begins.h"
 #include "lua/host/mission_reader.h"
 #include "mission/ahead/expected_begins.h"
+#include "plan/suggestions.h"
 #include "product/rover_days.h"
 
 namespace lsos {
@@ -34,12 +36,20 @@ std::map<PlanEvent::Reference, SimTime> begins_of(const MissionFiles& files) {
   return expected_begins(synthesise(files.plan, files.catalog->declarations()), files.rover_models);
 }
 
-EventDays days_of(const MissionFiles& files) {
+EventDays days_by(const std::map<PlanEvent::Reference, SimTime>& begins) {
   EventDays days;
-  for (const auto& [event, begin] : begins_of(files)) {
-    days[event] = 1 + static_cast<int>(begin / day_length);
-  }
+  for (const auto& [event, begin] : begins) days[event] = 1 + static_cast<int>(begin / day_length);
   return days;
+}
+
+EventDays days_of(const MissionFiles& files) { return days_by(begins_of(files)); }
+
+// Days as if all events took part, so that `enable --day` means those that `disable --day` did.
+EventDays days_of_all(const MissionFiles& files) {
+  Plan plan = files.plan;
+  for (PlanEvent& event : plan.events) event.is_enabled = true;
+  return days_by(
+      expected_begins(synthesise(plan, files.catalog->declarations()), files.rover_models));
 }
 
 // "2" or "2..4".
@@ -67,14 +77,25 @@ EventChoice choice_of(const EditOptions& options) {
 
 SimTime read_span(const std::string& text) {
   const bool is_back = text.starts_with('-');
-  const Parsed<double> span_s =
-      parse_quantity(text.substr(is_back || text.starts_with('+') ? 1 : 0), *find_unit("s"));
+  const std::string unsigned_text = text.substr(is_back || text.starts_with('+') ? 1 : 0);
+  if (parse_quantity(unsigned_text, *find_unit("1"))) {
+    throw InputError(
+        {}, fmt::format("--by {}: its unit is wanted, as in '{} d', '{} h' or '{} min'", text, text,
+                        text, text));
+  }
+  const Parsed<double> span_s = parse_quantity(unsigned_text, *find_unit("s"));
   if (!span_s || !(*span_s.value > 0)) {
     throw InputError({}, fmt::format("--by {}: a span is wanted, such as '+1 d', '-90 min' or "
                                      "'PT12H'{}",
                                      text, span_s ? "; this one moves nothing" : ""));
   }
   return from_seconds(is_back ? -*span_s.value : *span_s.value);
+}
+
+bool says_time(const PlanEvent& event) {
+  return event.start_time || event.at || std::ranges::any_of(event.params, [](const auto& param) {
+           return std::holds_alternative<Instant>(param.second);
+         });
 }
 
 std::string set_enabled(Editing& editing, bool is_enabled) {
@@ -85,7 +106,7 @@ std::string set_enabled(Editing& editing, bool is_enabled) {
                                  "--day, --type and --rover say it",
                                  editing.options.verb));
   }
-  const auto events = chosen_events(editing.files.plan, choice, days_of(editing.files));
+  const auto events = chosen_events(editing.files.plan, choice, days_of_all(editing.files));
   const auto changed =
       static_cast<std::size_t>(lsos::set_enabled(editing.document, events, is_enabled));
   std::string what =
@@ -163,6 +184,12 @@ std::string edit_shift(Editing& editing) {
   const EventNames names(editing.files.plan);
   ShiftedPart part{options.rover, nullptr};
   if (!options.from.empty()) part.from = &names.named("--from", options.from, options.rover);
+  if (part.from != nullptr && !says_time(*part.from)) {
+    editing.warnings.push_back(fmt::format(
+        "{}: {} {} says no time of its own: it begins when what is before it ends, which "
+        "has not moved",
+        options.from, part.from->type, quoted(part.from->label)));
+  }
   const int count = shift_times(editing.document, by, part);
   if (count == 0) {
     editing.warnings.push_back("none of the events meant says a time, so nothing moved");
@@ -188,6 +215,7 @@ std::string edit_merge(Editing& editing) {
     const MissionFiles& other = *files.back();
     documents.push_back(std::make_unique<PlanDocument>(EditableFile(other.plan_bytes, file).kml(),
                                                        other.plan, other.catalog->declarations()));
+    erase_notes(*documents.back());
     others.push_back(documents.back().get());
   }
   const Merged merged = Merger(editing.document, others).run();

@@ -86,6 +86,53 @@ TEST_F(Edit, an_event_is_of_the_day_on_which_it_is_expected) {
                         "counts as ended from the beginning"));
 }
 
+TEST_F(Edit, enable_finds_the_days_that_disable_meant) {
+  const std::string days = folder_.write(
+      "days.kml", kml({mission(), sev("A", "0,0"), event("Pause", "A", 10, {{"Duration", "20 h"}}),
+                       event("Pause", "A", 20, {{"Duration", "20 h"}}),
+                       event("Pause", "A", 30, {{"Duration", "20 h"}}),
+                       event("Pause", "A", 40, {{"Duration", "20 h"}})}));
+  edited(days, {"disable", "--day", "1..2"}, "3 events disabled");
+  const std::string off = folder_.write("off.kml", read_text(new_plan_));
+  edited(off, {"enable", "--day", "1..2"}, "3 events enabled");
+}
+
+TEST_F(Edit, leaves_out_the_estimate_of_the_old_plan) {
+  const std::string noted = folder_ / "noted.kml";
+  ASSERT_EQ(run({"check", plan("two_rovers"), "--kml", noted, "--quiet"}).exit_code, 0);
+  const Outcome outcome = edit(noted, {"renumber"});
+  EXPECT_THAT(outcome.err, HasSubstr("warning: the estimate in " + noted + " is left out"));
+  EXPECT_EQ(read_text(new_plan_).find("=\"lsos-"), std::string::npos);
+  EXPECT_EQ(read_text(new_plan_).find("lsos-estimate"), std::string::npos);
+}
+
+TEST_F(Edit, tells_where_generated_ground_moves) {
+  const auto on = [&](const char* terrain, const char* rover) {
+    Mark info = mission();
+    for (auto& [name, value] : info.fields) {
+      if (name == "Terrain") value = terrain;
+    }
+    return folder_.write(std::string(terrain) + rover + ".kml",
+                         kml({info, sev(rover, rover == std::string("01") ? "0.01,0" : "0,0"),
+                              event("Pause", rover, 10, {{"Duration", "60"}})}));
+  };
+  EXPECT_THAT(edit(on("Craters", "A"), {"merge", on("Craters", "01")}).err,
+              HasSubstr("which is '01' now and 303 m from where it was: generated slopes, craters "
+                        "and rocks lie elsewhere than in"));
+  EXPECT_EQ(edit(on("Flat", "A"), {"merge", on("Flat", "01")}).err, "");
+}
+
+TEST_F(Edit, shift_wants_a_unit_and_tells_of_events_without_a_time) {
+  EXPECT_THAT(edit(plan("drats_day"), {"shift", "--by", "1"}).err,
+              HasSubstr("--by 1: its unit is wanted, as in '1 d', '1 h' or '1 min'"));
+  const std::string pauses = folder_.write(
+      "pauses.kml",
+      kml({mission(), sev("A", "0,0"), event("Pause", "A", 10, {{"Duration", "60"}}),
+           event("Pause", "A", 20, {{"Duration", "60"}, {"StartTime", "2026-01-02T00:00:00Z"}})}));
+  EXPECT_THAT(edit(pauses, {"shift", "--by", "1 d", "--from", "A/10"}).err,
+              HasSubstr("A/10: Pause 'Pause 10' says no time of its own"));
+}
+
 TEST_F(Edit, a_repeated_day_can_be_split_off_again) {
   edited(plan("drats_day"), {"repeat", "--day", "1", "--times", "1"},
          "22 events of day 1 repeated 1 time, 22 events added");

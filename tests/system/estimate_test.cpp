@@ -143,6 +143,46 @@ TEST(Estimate, is_a_table_a_line_an_event_and_csv) {
   EXPECT_EQ(std::ranges::count(csv, '\n'), 7);
 }
 
+TEST(Estimate, says_what_becomes_of_an_event) {
+  const TempFolder folder;
+  const std::string plan = folder.write(
+      "plan.kml", kml({mission(), sev("A", "31,12"), event("Pause", "A", 1, {{"Duration", "60"}}),
+                       event("Pause", "A", 2, {{"Duration", "60"}, {"SkipWhen", "time_s &gt; 1"}}),
+                       event("Pause", "A", 3, {{"Duration", "60"}, {"Timeout", "20"}}),
+                       event("Pause", "A", 4, {{"Duration", "60"}})}));
+  const Outcome outcome = run({"check", plan, "--csv", folder / "events.csv", "--quiet"});
+  EXPECT_THAT(outcome.out, ::testing::ContainsRegex("A 2 'Pause 2' .*  is skipped\n"));
+  EXPECT_THAT(outcome.out, ::testing::ContainsRegex("A 3 'Pause 3' .*  fails\n"));
+  EXPECT_THAT(outcome.out, ::testing::ContainsRegex("A 4 'Pause 4' .*  never begins\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("start and end as day and hh:mm since the mission's start"));
+  const std::string csv = read_text(folder / "events.csv");
+  EXPECT_THAT(csv, HasSubstr(",status,reason,start_utc,end_utc\n"));
+  EXPECT_THAT(
+      csv, HasSubstr(",failed,timed out after 20 s; 40 s of it were left,2026-01-01T00:01:00.000Z,"
+                     "2026-01-01T00:01:20.000Z\n"));
+  EXPECT_THAT(csv, HasSubstr(",not_started,'Pause 3' failed,,\n"));
+  const json answer = json::parse(run({"check", plan, "--json", "--quiet"}).out);
+  std::vector<std::string> statuses;
+  for (const json& event : answer.at("estimate")) statuses.push_back(event.at("status"));
+  EXPECT_THAT(statuses, ::testing::ElementsAre("completed", "skipped", "failed", "not_started"));
+  EXPECT_EQ(answer["estimate"][2]["reason"], "timed out after 20 s; 40 s of it were left");
+}
+
+TEST(Estimate, says_that_a_plan_with_errors_has_no_files) {
+  const TempFolder folder;
+  const std::string plan = folder.write(
+      "plan.kml", kml({mission(), sev("A", "31,12"), event("Pause", "A", 1, {{"Duraton", "60"}})}));
+  const Outcome outcome = run({"check", plan, "--csv", folder / "events.csv", "--quiet"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("events.csv: is not written, as the plan has errors"));
+}
+
+TEST(Estimate, prints_the_legend_of_its_timeline) {
+  const TempFolder folder;
+  const std::string plan = folder.write("plan.kml", kml(short_drive()));
+  EXPECT_THAT(run({"check", plan, "--timeline", "--quiet"}).out, HasSubstr("D drive, E EVA"));
+}
+
 TEST(Estimate, is_kept_beside_the_results_of_a_run_whose_log_it_does_not_change) {
   const TempFolder folder;
   const std::string plan = folder.write(

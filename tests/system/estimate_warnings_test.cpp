@@ -12,6 +12,8 @@ namespace {
 
 using nlohmann::json;
 using ::testing::AllOf;
+using ::testing::Contains;
+using ::testing::ContainsRegex;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -130,6 +132,77 @@ TEST(EstimateWarnings, tell_of_half_of_the_charge_lost_though_the_reserve_is_lef
   EXPECT_THAT(warnings({mission(), sev("A", night), pause(1, "30 h")}),
               ElementsAre(AllOf(HasSubstr("its charge falls from 100 % to 34 %; a place or time"),
                                 Not(HasSubstr("below its reserve")))));
+}
+
+// An LRV has no panels, and its loads go on while it waits.
+Mark lrv(const std::string& charge) {
+  return Mark{"Rover",
+              {{"RoverId", "L"}, {"RoverType", "LRV"}, {"InitialCharge", charge}},
+              point("31.01,12")};
+}
+
+TEST(EstimateWarnings, tell_of_a_battery_that_is_empty_between_events_or_after_the_last) {
+  const auto pause_of_l = [](int sequence, const Fields& more) {
+    Fields fields{{"Duration", "1 min"}};
+    fields.insert(fields.end(), more.begin(), more.end());
+    return event("Pause", "L", sequence, fields);
+  };
+  EXPECT_THAT(
+      warnings({mission(), lrv("0.3"), pause_of_l(1, {}),
+                pause_of_l(2, {{"StartTime", "2026-01-20T00:00:00Z"}})}),
+      ElementsAre(
+          AllOf(HasSubstr("Pause 'Pause 1': by the estimate the battery of L is empty at 2026-01-"),
+                HasSubstr(", before 'Pause 2' begins; a Recharge before"))));
+  EXPECT_THAT(warnings({mission(), sev("A", near_side), lrv("0.3"), pause_of_l(1, {}),
+                        pause(1, "100 h"), pause(2, "100 h")}),
+              Contains(AllOf(HasSubstr("the battery of L is empty at 2026-01-"),
+                             HasSubstr(", after its last event;"))));
+}
+
+TEST(EstimateWarnings, tell_of_an_event_that_fails_before_it_begins) {
+  EXPECT_THAT(warnings({mission(), lrv("0.05"), event("Pause", "L", 1, {{"Duration", "6 h"}}),
+                        event("Route", "L", 2, {}, point("31.011,12")),
+                        event("Pause", "L", 3, {{"Duration", "1 min"}})}),
+              Contains(AllOf(HasSubstr("Route 'Route 2': by the estimate it fails at 2026-01-01T"),
+                             HasSubstr(", before it begins: "),
+                             HasSubstr("; 'Pause 3' then does not take place"))));
+}
+
+TEST(EstimateWarnings, tell_of_a_timeout_and_of_what_does_not_take_place_then) {
+  EXPECT_THAT(
+      warnings({mission(), sev("A", near_side), pause(1, "2 h", {{"Timeout", "1 h"}}),
+                pause(2, "1 h"), pause(3, "1 h")}),
+      Contains(HasSubstr(
+          "Pause 'Pause 1': by the estimate it fails at 2026-01-01T01:00:00.000Z: "
+          "timed out after 3600 s; 3600 s of it were left; 'Pause 2' and 1 more then do not "
+          "take place")));
+}
+
+TEST(EstimateWarnings, tell_of_stop_when_only_where_it_is_not_meant) {
+  const auto stopped = [](const char* rule) {
+    return warnings({mission(), sev("A", near_side),
+                     pause(1, "2 h", {{"StopWhen", "time_s &gt; 600"}, {"OnFailure", rule}}),
+                     pause(2, "1 h")});
+  };
+  EXPECT_THAT(stopped("stop"),
+              ElementsAre(AllOf(HasSubstr("StopWhen: time_s > 600; "),
+                                HasSubstr("; 'Pause 2' then does not take place"))));
+  EXPECT_THAT(stopped("skip"), IsEmpty());
+}
+
+TEST(EstimateWarnings, tell_of_what_max_duration_cuts_off) {
+  EXPECT_THAT(warnings({mission({{"MaxDuration", "90 min"}}), sev("A", near_side), pause(1, "1 h"),
+                        pause(2, "1 h"), pause(3, "1 h")}),
+              Contains(AllOf(HasSubstr("Pause 'Pause 2': by the estimate it is cut off at "
+                                       "2026-01-01T01:30:00.000Z: MaxDuration is over"),
+                             HasSubstr("; 'Pause 3' then does not take place"))));
+}
+
+TEST(EstimateWarnings, name_the_event_in_which_the_reserve_is_crossed) {
+  EXPECT_THAT(
+      warnings({mission(), sev("A", night), pause(1, "20 h"), pause(2, "22 h")}),
+      ElementsAre(ContainsRegex("below its reserve of 10 % at 2026-01-02T[0-9:.]+Z, with or "
+                                "after 'Pause 2'")));
 }
 
 TEST(EstimateWarnings, are_none_of_a_plan_with_errors_which_are_told_in_one_go_and_say_so) {

@@ -47,7 +47,7 @@ TEST(ReportOfDays, begins_with_failures_and_shows_a_day_with_its_numbers) {
       expected: [...document.querySelectorAll('#event-table tbody tr')].map(row => [...row.querySelectorAll('.expected')].map(each => each.textContent)),
       first: document.querySelector('#findings').firstElementChild.textContent,
       pins: [...document.querySelectorAll('#map .note-mark')].map(mark => mark.textContent),
-      legend: text('.map-legend'), pictures: text('#picture-list')};
+      about: text('#estimate-about'), legend: text('.map-legend'), pictures: text('#picture-list')};
   )js");
   ASSERT_FALSE(seen.contains("error")) << seen;
   EXPECT_EQ(seen["whole"], 0);
@@ -63,12 +63,14 @@ TEST(ReportOfDays, begins_with_failures_and_shows_a_day_with_its_numbers) {
   ASSERT_EQ(seen["pins"].size(), 1u) << seen["pins"];
   EXPECT_THAT(seen["pins"][0].get<std::string>(), HasSubstr("warn when condition charge > 0.5"));
   EXPECT_THAT(seen["legend"].get<std::string>(), HasSubstr("WarnWhen begins to hold"));
-  // The estimate stands under the end, the energy and the charge.
-  ASSERT_EQ(seen["expected"][0].size(), 3u) << seen["expected"];
+  // The estimate stands under the end, the energy used, that from the Sun and the charge.
+  ASSERT_EQ(seen["expected"][0].size(), 4u) << seen["expected"];
   for (const json& cell : seen["expected"][0]) {
     EXPECT_THAT(cell.get<std::string>(), StartsWith("est. "));
   }
   EXPECT_THAT(seen["second"]["rows"][0].get<std::string>(), HasSubstr("est. "));
+  EXPECT_THAT(seen["about"].get<std::string>(), HasSubstr("The greatest differences are of ends "));
+  EXPECT_THAT(seen["about"].get<std::string>(), HasSubstr(" points "));
   EXPECT_EQ(seen["folds"].size(), 3u) << seen["folds"];
   EXPECT_THAT(seen["pictures"].get<std::string>(), HasSubstr("failed"));
 }

@@ -41,14 +41,17 @@ void pass(const MissionMachine& machine, const RoverMachine& rover, const RoverM
 Times expected_begins(const MissionMachine& machine,
                       const std::map<std::string, RoverModel>& rovers) {
   Times begins, ends;
-  // It ends, as no events wait for each other in a circle.
+  // Enabled events do not wait for each other in a circle. Each pass makes one more of them known,
+  // whatever the others do.
+  std::size_t passes_left = 1;
+  for (const RoverMachine& rover : machine.rovers) passes_left += rover.events.size();
   Times before;
   do {
     before = ends;
     for (const RoverMachine& rover : machine.rovers) {
       pass(machine, rover, rovers.at(rover.rover.model()), begins, ends);
     }
-  } while (ends != before);
+  } while (ends != before && --passes_left > 0);
   return begins;
 }
 

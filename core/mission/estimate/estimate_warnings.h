@@ -1,5 +1,5 @@
-// What a planner must hear of an estimate: events that are expected to fail or never to
-// start, batteries that are expected to run empty.
+// What a planner must hear of an estimate: events that are expected to fail, to be cut off or
+// never to start, and how many others do not take place then.
 #pragma once
 
 #include <vector>

@@ -169,11 +169,12 @@ std::vector<EventEstimate> EstimateWatch::events(const Fleet& fleet, Instant mis
       event.sequence = planned.sequence;
       event.type = planned.type;
       event.label = planned.label;
-      event.status = record.status;
+      event.status = sequence.row(i).status;
       event.reason = record.reason;
       event.meets = rovers_[k].sums[i].meets;
       if (record.ready) event.ready_s = seconds(*record.ready);
       if (record.start) event.start_s = seconds(*record.start);
+      if (record.end) event.over_s = seconds(*record.end);
       if (!record.start || !record.end) continue;
       event.end_s = seconds(*record.end);
       event.distance_m = known(record.distance_m);

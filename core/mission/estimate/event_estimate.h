@@ -33,16 +33,17 @@ struct RoverShade {
   std::vector<ShadeSpan> unseen;  // Earth is not in view of the antenna in use
 };
 
-// Absent: it cannot be known.
+// Absent: it cannot be known. `status` and `reason` are those of a run; `running` is `incomplete`.
 struct EventEstimate {
   std::string rover_id;
   std::int64_t sequence = 0;
   std::string type, label;
   EventStatus status = EventStatus::not_started;
-  std::string reason;                    // why it is expected to fail or not to start, else ""
+  std::string reason;                    // why it does not take place as drawn, else ""
   std::string meets;                     // the rover that stands where its drive ends, else ""
   std::optional<double> start_s, end_s;  // since the mission's start
   std::optional<double> ready_s;         // when its turn comes
+  std::optional<double> over_s;          // when it is over, also where it never begins
   std::optional<double> distance_m, energy_used_j, solar_j;
   std::optional<double> charge_end, charge_min;  // 0..1
   // Ranges in which quantities that are not sure are expected to lie.

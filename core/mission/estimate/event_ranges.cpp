@@ -68,9 +68,11 @@ void add_energy(const DoubtedEvent& event, const Expected& duration_s, Carried& 
   carried.less_j += less_j + event.sun_more_j;
   carried.more_j += more_j + event.sun_less_j;
   if (!estimate.charge_end || !estimate.charge_min || event.capacity_j <= 0) return;
+  // Where what it has used is a range, so is what is left, be it as narrow as it may.
+  const double least = estimate.energy_range_j ? 0 : charge_told;
   const auto of_charge = [&](double charge) {
     return told(std::max(0.0, charge - carried.more_j / event.capacity_j),
-                std::min(1.0, charge + carried.less_j / event.capacity_j), charge_told);
+                std::min(1.0, charge + carried.less_j / event.capacity_j), least);
   };
   estimate.charge_min_range = of_charge(*estimate.charge_min);
   if (*estimate.charge_end >= full_charge) {

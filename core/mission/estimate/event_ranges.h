@@ -12,7 +12,8 @@ namespace lsos {
 
 // Charge from which a battery counts as full.
 inline constexpr double full_charge = 1 - 1e-3;
-// Ranges narrower than these are none: the quantity then is as sure as a number says.
+// Ranges narrower than these are none: the quantity then is as sure as a number says. The charge
+// is a range wherever the energy of the event is one.
 inline constexpr double end_told_s = 10, energy_told = 0.01, charge_told = 0.005;
 
 // An event with what is known of it beyond its estimate.

@@ -20,11 +20,25 @@ std::string takes_text(double takes_s) {
   return fmt::format("{:.1f} h", takes_s / 3600);
 }
 
+const PlanEvent* event_of(const Plan& plan, const std::string& rover_id, std::int64_t sequence) {
+  const auto event = std::ranges::find_if(plan.events, [&](const PlanEvent& other) {
+    return other.rover_id == rover_id && other.sequence == sequence;
+  });
+  return event == plan.events.end() ? nullptr : &*event;
+}
+
+// " at 2026-..., with or after 'EVA 2'", where that is not the event of the beginning.
+std::string below_text(const Lack& lack, const Plan& plan) {
+  std::string text = " at " + utc_text(plan, *lack.below_s);
+  if (lack.below_sequence == lack.sequence) return text;
+  const PlanEvent* event = event_of(plan, lack.rover_id, lack.below_sequence);
+  return event == nullptr ? text : text + fmt::format(", with or after '{}'", event->label);
+}
+
 std::string sunlight_text(const Lack& lack, const Plan& plan) {
-  const std::string below = lack.below_s
-                                ? fmt::format(", below its reserve of {:.0f} % at {}",
-                                              100 * lack.reserve, utc_text(plan, *lack.below_s))
-                                : "";
+  const std::string below = lack.below_s ? fmt::format(", below its reserve of {:.0f} %{}",
+                                                       100 * lack.reserve, below_text(lack, plan))
+                                         : "";
   return fmt::format(
       "no Sun reaches the panels of {} from {} to {}, and its charge falls from {:.0f} % to {:.0f} "
       "%{}; {}",
@@ -32,6 +46,14 @@ std::string sunlight_text(const Lack& lack, const Plan& plan) {
       100 * lack.charge_begin, 100 * lack.charge_min, below,
       lack.is_stowed ? "all its panels are stowed: a DeploySP before, a Recharge or less load helps"
                      : "a place or time in the Sun, a Recharge or less load helps");
+}
+
+std::string energy_text(const Lack& lack, const Plan& plan) {
+  const std::string when = !lack.is_idle       ? " in the course of it"
+                           : lack.next.empty() ? ", after its last event"
+                                               : fmt::format(", before '{}' begins", lack.next);
+  return fmt::format("the battery of {} is empty at {}{}; a Recharge before or less load helps",
+                     lack.rover_id, utc_text(plan, lack.begin_s), when);
 }
 
 std::string contact_text(const Lack& lack, const Plan& plan) {
@@ -56,6 +78,8 @@ std::string text_of(const Lack& lack, const Plan& plan) {
       return sunlight_text(lack, plan);
     case LackKind::contact:
       return contact_text(lack, plan);
+    case LackKind::energy:
+      return energy_text(lack, plan);
     case LackKind::condition:
       break;
   }
@@ -73,10 +97,8 @@ std::vector<Fault> lack_warnings(const std::vector<Lack>& lacks, const Plan& pla
   for (auto lack = lacks.begin(); lack != lacks.end(); ++lack) {
     const auto is_like = [&](const Lack& other) { return are_alike(*lack, other); };
     if (std::any_of(lacks.begin(), lack, is_like)) continue;
-    const auto event = std::ranges::find_if(plan.events, [&](const PlanEvent& other) {
-      return other.rover_id == lack->rover_id && other.sequence == lack->sequence;
-    });
-    if (event == plan.events.end()) continue;
+    const PlanEvent* event = event_of(plan, lack->rover_id, lack->sequence);
+    if (event == nullptr) continue;
     std::string what =
         fmt::format("{} '{}': by the estimate {}", event->type, event->label, text_of(*lack, plan));
     const auto more = std::count_if(lack + 1, lacks.end(), is_like);
@@ -90,6 +112,31 @@ std::vector<Fault> lack_warnings(const std::vector<Lack>& lacks, const Plan& pla
                           utc_text(plan, last_s));
     }
     warnings.push_back({Severity::warning, event->place, what});
+  }
+  return warnings;
+}
+
+std::vector<Fault> doubt_warnings(const std::vector<EventEstimate>& events,
+                                  const std::vector<Lack>& lacks, const Plan& plan) {
+  std::vector<Fault> warnings;
+  for (const EventEstimate& event : events) {
+    const std::optional<Expected>& seen = event.earth_visible_share;
+    const PlanEvent* planned = event_of(plan, event.rover_id, event.sequence);
+    if (planned == nullptr || !seen || seen->is_sure() || !event.start_s || !event.end_s) continue;
+    const std::string& asked = planned->warn_when.text;
+    if (asked.find("'Earth'") == std::string::npos && asked.find("\"Earth\"") == std::string::npos)
+      continue;
+    const bool is_told = std::ranges::any_of(lacks, [&](const Lack& lack) {
+      return lack.kind == LackKind::condition && lack.rover_id == event.rover_id &&
+             lack.begin_s <= *event.end_s && lack.end_s >= *event.start_s;
+    });
+    if (is_told) continue;
+    warnings.push_back(
+        {Severity::warning, planned->place,
+         fmt::format(
+             "{} '{}': by the estimate WarnWhen may hold: {}; Earth is near the horizon, and "
+             "in view for {:.0f} to {:.0f} % of its time",
+             event.type, event.label, asked, 100 * seen->low, 100 * seen->high)});
   }
   return warnings;
 }

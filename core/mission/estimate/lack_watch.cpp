@@ -15,6 +15,22 @@ constexpr double contact_least_s = 600;
 // Two stretches of the same condition so near to each other are one, s.
 constexpr double same_s = 60;
 
+// Whether an event has just failed for an empty battery, which its own reason tells.
+bool has_failed_empty(const EventRecord& record, double now_s) {
+  return record.status == EventStatus::failed && record.end && seconds(*record.end) == now_s &&
+         record.reason.find("battery is empty") != std::string::npos;
+}
+
+// Label of the first enabled event from `index` on whose turn has not come; "" when there is none.
+std::string next_label(const EventSequence& sequence, std::size_t index) {
+  for (std::size_t i = index; i < sequence.events().size(); ++i) {
+    const EventRecord& record = sequence.records().all()[i];
+    const bool is_to_come = !record.start && !record.end && !record.is_timed;
+    if (is_to_come) return sequence.events()[i].event.label;
+  }
+  return "";
+}
+
 // The first stowable antenna that is up; absent: none is.
 std::optional<std::size_t> raised_antenna(const RoverAgent& rover, double now_s) {
   const AntennaArray& antennas = rover.antennas();
@@ -45,6 +61,7 @@ void LackWatch::look(const Fleet& fleet, std::size_t index, std::optional<std::s
   look_for_contact(fleet, rover, sees.is_earth, now_s);
   if (running) event_ = *running;
   look_for_sun(rover, sees.is_dark, now_s);
+  look_for_energy(rover, !running, now_s);
   look_for_warnings(rover, now_s);
 }
 
@@ -72,10 +89,30 @@ void LackWatch::look_for_sun(const FleetRover& rover, bool is_dark, double now_s
   if (!dark_) return;
   dark_->charge_min = std::min(dark_->charge_min, charge);
   dark_->is_stowed = dark_->is_stowed && (is_stowed || !is_dark);
-  if (charge < dark_->reserve && !dark_->below_s) dark_->below_s = now_s;
+  if (charge < dark_->reserve && !dark_->below_s) {
+    dark_->below_s = now_s;
+    dark_->below_sequence = begun(LackKind::sunlight, rover, now_s).sequence;
+  }
   if (is_dark) return;
   if (matters(*dark_)) add(ended_, *dark_, now_s);
   dark_.reset();
+}
+
+void LackWatch::look_for_energy(const FleetRover& rover, bool is_idle, double now_s) {
+  const bool is_empty = rover.agent->power().waits_for_reserve();
+  if (is_empty == empty_.has_value()) return;
+  if (!is_empty) {
+    if (!empty_->is_told) add(ended_, *empty_, now_s);
+    empty_.reset();
+    return;
+  }
+  empty_ = begun(LackKind::energy, rover, now_s);
+  empty_->reserve = rover.agent->power().reserve();
+  empty_->is_idle = is_idle;
+  const EventRecords& records = rover.sequence.records();
+  empty_->is_told = std::ranges::any_of(
+      records.all(), [&](const EventRecord& record) { return has_failed_empty(record, now_s); });
+  empty_->next = next_label(rover.sequence, event_);
 }
 
 void LackWatch::look_for_contact(const Fleet& fleet, const FleetRover& rover, bool sees_earth,
@@ -145,6 +182,7 @@ std::vector<Lack> LackWatch::lacks(double now_s) const {
   std::vector<Lack> lacks = ended_;
   if (dark_ && matters(*dark_)) add(lacks, *dark_, now_s);
   if (contact_ && is_missed(*contact_, now_s)) add(lacks, contact_->lack, now_s);
+  if (empty_ && !empty_->is_told) add(lacks, *empty_, now_s);
   if (warned_) add(lacks, *warned_, now_s);
   return lacks;
 }

@@ -34,6 +34,7 @@ class LackWatch {
 
   Lack begun(LackKind kind, const FleetRover& rover, double now_s) const;
   void look_for_sun(const FleetRover& rover, bool is_dark, double now_s);
+  void look_for_energy(const FleetRover& rover, bool is_idle, double now_s);
   void look_for_contact(const Fleet& fleet, const FleetRover& rover, bool sees_earth, double now_s);
   void look_for_warnings(const FleetRover& rover, double now_s);
   static bool matters(const Lack& dark);
@@ -41,7 +42,7 @@ class LackWatch {
   static void add(std::vector<Lack>& lacks, Lack lack, double end_s);
 
   std::size_t event_ = 0;  // the last that has begun
-  std::optional<Lack> dark_, warned_;
+  std::optional<Lack> dark_, empty_, warned_;
   std::optional<Contact> contact_;
   std::vector<Lack> ended_;
 };

@@ -100,6 +100,8 @@ class DrawnDrive {
     const std::vector<DrivingPiece> pieces = line();
     Vec2 ahead(std::cos(yaw_rad), std::sin(yaw_rad));
     bool was_backward = false;
+    const bool swings = !cost_.can_turn_on_spot && !pieces.empty() && !pieces.front().is_backward;
+    if (swings) swing(yaw_rad, pieces.front());
     for (const DrivingPiece& piece : pieces) {
       const Vec2 heading = piece.is_backward ? Vec2(-piece.along_S) : piece.along_S;
       if (speed_mps_ <= 0 && cost_.can_turn_on_spot) turn(std::abs(bend_rad(ahead, heading)));
@@ -145,6 +147,22 @@ class DrawnDrive {
     const double takes_s = cost_.steer_s + cost_.turn_sprad * by_rad;
     sum_.time_s += takes_s;
     sum_.energy_j += cost_.turn_jprad * by_rad + cost_.idle_w * takes_s;
+  }
+
+  // A rover that cannot turn on the spot leaves the line as it sets off another way than it stands:
+  // it turns past the line's direction and back, in its tightest arcs, until it is on the line.
+  void swing(double yaw_rad, const DrivingPiece& first) {
+    const Vec2 ahead(std::cos(yaw_rad), std::sin(yaw_rad));
+    const double by_rad = std::abs(bend_rad(ahead, first.along_S));
+    if (by_rad < turn_least_rad) return;
+    // What the first arc leads aside, the second leads back.
+    const double past_rad = std::acos((1 + std::cos(by_rad)) / 2);
+    const double detour_m =
+        limits_.radius_min_m * (by_rad + 2 * past_rad - std::sin(by_rad) - 2 * std::sin(past_rad));
+    const SlopeDrive level = cost_.soils.front().at(0);
+    sum_.driven_m += detour_m;
+    sum_.time_s += detour_m / level.speed_mps;
+    sum_.energy_j += detour_m * level.energy_jpm;
   }
 
   // Returns false where the drive ends before the end of the piece.

@@ -93,8 +93,8 @@ function distanceText(value) {
 }
 const energyText = value =>
   value === null || value === undefined ? '–'
-    : Math.abs(value) >= 1.8e6 ? `${(value / 3.6e6).toFixed(2).replace('-', '−')} kWh`
-      : `${(value / 3600).toFixed(1).replace('-', '−')} Wh`;
+    : Math.abs(value) >= 1.8e6 ? `${placesText(value / 3.6e6, 2)} kWh`
+      : `${placesText(value / 3600, 1)} Wh`;
 
 function make(tag, attributes = {}, ...children) {
   const element = document.createElement(tag);

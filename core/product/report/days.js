@@ -15,8 +15,8 @@ function dayColumns(days) {
     ['Energy used', day => withEstimate(energyText(day.energy_used_j), day.energy_used_j, dayEstimateOf(day).energy_used_j, energyText), true],
     ['From the Sun', day => withEstimate(energyText(day.solar_j), day.solar_j, dayEstimateOf(day).solar_j, energyText), true],
     ['Charge at start', day => chargeText(day.charge_start), true],
-    ['least', day => withEstimate(chargeText(day.charge_min), day.charge_min, dayEstimateOf(day).charge_min, percentText), true],
-    ['at end', day => withEstimate(chargeText(day.charge_end), day.charge_end, dayEstimateOf(day).charge_end, percentText), true],
+    ['least', day => withEstimate(chargeText(day.charge_min), day.charge_min, dayEstimateOf(day).charge_min, percentText, pointsText), true],
+    ['at end', day => withEstimate(chargeText(day.charge_end), day.charge_end, dayEstimateOf(day).charge_end, percentText, pointsText), true],
     ...(days.some(day => isKnown(day.charge_dawn) || isKnown(day.charge_dusk)) ? [
       ['at dawn', day => chargeText(day.charge_dawn), true], ['at dusk', day => chargeText(day.charge_dusk), true],
     ] : []),

@@ -13,14 +13,16 @@ function differenceFrom(expected, value) {
   return value < low ? value - low : value > high ? value - high : 0;
 }
 
-// A cell of a table: the result, and under it what was expected and the difference.
-function withEstimate(result, value, expected, textOf) {
+// A cell of a table: the result, and under it what was expected and the difference. A difference
+// too small for its text is none.
+function withEstimate(result, value, expected, textOf, differenceOf = textOf) {
   if (!hasEstimate || !isKnown(expected)) return result;
   const [low, high] = rangeOf(expected), isRange = textOf(low) !== textOf(high);
   let text = `est. ${isRange ? `${textOf(low)} – ${textOf(high)}` : textOf(low)}`;
-  if (isKnown(value) && (isRange || textOf(value) !== textOf(low))) {
-    const difference = differenceFrom(expected, value);
-    text += difference === 0 ? ', within' : `, ${difference < 0 ? '−' : '+'}${textOf(Math.abs(difference))}`;
+  if (isKnown(value)) {
+    const difference = differenceFrom(expected, value), isNone = differenceOf(Math.abs(difference)) === differenceOf(0);
+    if (!isNone) text += `, ${difference < 0 ? '−' : '+'}${differenceOf(Math.abs(difference))}`;
+    else if (isRange) text += ', within';
   }
   const cell = make('span', {}, result, make('small', {class: 'expected'}, text));
   if (isKnown(value) && Math.abs(low) > 0 && !isRange) cell.title = `${numberText((100 * (value - low)) / low, 2)} % from the estimate`;
@@ -28,6 +30,7 @@ function withEstimate(result, value, expected, textOf) {
 }
 const clockOfEnd = time => elapsedText(Math.abs(time));
 const percentText = value => (isKnown(value) ? `${(100 * value).toFixed(1)} %` : '–');
+const pointsText = value => `${(100 * value).toFixed(1)} points`;
 
 // Charge of an event's rover at its end, from the series of the page.
 function chargeAtEnd(event) {
@@ -40,18 +43,21 @@ function chargeAtEnd(event) {
   return (series.v[k] + share * (series.v[k + 1] - series.v[k])) / capacity;
 }
 
-// How far the estimate was off, and by which events.
+// How far the estimate was off, and by which events: from the middle of ranges.
 function estimateText() {
   const furthest = (valueOf, name) => page.events
     .map(event => ({event, value: valueOf(event), expected: estimateOf(event)[name]}))
     .filter(({value, expected}) => isKnown(value) && isKnown(expected))
-    .map(({event, value, expected}) => ({event, away: differenceFrom(expected, value)}))
+    .map(({event, value, expected}) => {
+      const [low, high] = rangeOf(expected);
+      return {event, away: value - (low + high) / 2, isWithin: low < high && differenceFrom(expected, value) === 0};
+    })
     .reduce((most, each) => (most && Math.abs(most.away) >= Math.abs(each.away) ? most : each), null);
-  const nameOf = ({event}) => `‘${event.label}’ of ${event.rover_id}`;
+  const nameOf = ({event, isWithin}) => `‘${event.label}’ of ${event.rover_id}${isWithin ? ', within its range' : ''}`;
   const end = furthest(event => event.end_s, 'end_s'), charge = furthest(chargeAtEnd, 'charge_end');
   const parts = [];
-  if (end) parts.push(`the end furthest from it is that of ${nameOf(end)}, ${durationText(Math.abs(end.away))} ${end.away < 0 ? 'earlier' : 'later'}`);
-  if (charge) parts.push(`the charge that of ${nameOf(charge)}, ${numberText(100 * Math.abs(charge.away), 2)} points ${charge.away < 0 ? 'lower' : 'higher'}`);
+  if (end) parts.push(`of ends ${durationText(Math.abs(end.away))} ${end.away < 0 ? 'earlier' : 'later'} (${nameOf(end)})`);
+  if (charge) parts.push(`of charges ${pointsText(Math.abs(charge.away))} ${charge.away < 0 ? 'lower' : 'higher'} (${nameOf(charge)})`);
   const cut = page.estimate.cut_short ? ` It is cut short, ${page.estimate.cut_short}.` : '';
-  return `Under results stands what the estimate of the plan expected (est.), as lsos-host check gives it without simulating, and simulated minus expected.${parts.length > 0 ? ` Of all events ${parts.join(', and ')}.` : ''}${cut}`;
+  return `Under results stands what the estimate of the plan expected (est.), as lsos-host check gives it without simulating, and simulated minus expected.${parts.length > 0 ? ` The greatest differences are ${parts.join(', and ')}.` : ''}${cut}`;
 }

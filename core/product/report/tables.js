@@ -134,9 +134,9 @@ function fillTables() {
     ['Took', event => (event.start_s === null || event.end_s === null ? '–' : durationText(event.end_s - event.start_s)), true],
     ['Distance', event => distanceText(event.distance_m), true],
     ['Energy used', event => withEstimate(energyText(event.energy_used_j), event.energy_used_j, estimateOf(event).energy_used_j, energyText), true],
-    ['From the Sun', event => energyText(event.solar_j), true],
+    ['From the Sun', event => withEstimate(energyText(event.solar_j), event.solar_j, estimateOf(event).solar_j, energyText), true],
     ...(hasEstimate ? [
-      ['Charge at end', event => withEstimate(percentText(chargeAtEnd(event)), chargeAtEnd(event), estimateOf(event).charge_end, percentText), true],
+      ['Charge at end', event => withEstimate(percentText(chargeAtEnd(event)), chargeAtEnd(event), estimateOf(event).charge_end, percentText, pointsText), true],
     ] : []),
     ['Reason', event => event.reason || ''],
   ];

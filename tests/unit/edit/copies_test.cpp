@@ -138,5 +138,43 @@ TEST(Coordinates, move_with_their_altitudes_and_blanks) {
   EXPECT_EQ(moved.find(",3 "), moved.find(' ') - 2);
 }
 
+TEST(Repeat, leads_the_ends_of_lines_to_other_places) {
+  const auto drawn = [](const std::string& name, std::int64_t sequence, const std::string& places) {
+    return event("Route", name, "A", static_cast<int>(sequence), {}, line(places));
+  };
+  TestPlan plan(mission() + rover("A") + drawn("out", 10, "31,20 31.01,20") +
+                event("Pause", "work", "A", 20, {{"Duration", "60"}}, point("31.01,20")) +
+                drawn("home", 30, "31.01,20 31.005,20.001 31,20") +
+                drawn("round", 40, "31,20 31,20.001 31.0001,20"));
+  Repetition repetition = all_of(plan, 1);
+  repetition.places = {"31.02,20.01"};
+  repetition.places_file = "stops.kml";
+  const Repeated repeated = repeat(plan.document, repetition, plan.days());
+  EXPECT_THAT(repeated.warnings,
+              ElementsAre("Route 'home': the ends of its copies' lines follow the places, what is "
+                          "drawn between them stays",
+                          "Route 'round': its copies stay where it is drawn, as its line does not "
+                          "begin or end at one of the day's Points"));
+  const Plan edited = plan.edited();
+  const auto lons = [&](std::size_t i) {
+    std::vector<double> all;
+    for (const Geodetic& at : edited.events[i].geometry.points) {
+      all.push_back(std::round(lon_deg(at) * 1e6) / 1e6);
+    }
+    return all;
+  };
+  EXPECT_THAT(lons(4), ElementsAre(31, 31.02));
+  EXPECT_THAT(lons(5), ElementsAre(31.02));
+  EXPECT_THAT(lons(6), ElementsAre(31.02, 31.005, 31));
+  EXPECT_THAT(lons(7), ElementsAre(31, 31, 31.0001));
+}
+
+TEST(Repeat, puts_days_in_their_order) {
+  TestPlan plan(a_day());
+  repeat(plan.document, all_of(plan, 2), plan.days());
+  const std::string text = plan.document.text();
+  EXPECT_LT(text.find("work (day 2)"), text.find("work (day 3)"));
+}
+
 }  // namespace
 }  // namespace lsos::test

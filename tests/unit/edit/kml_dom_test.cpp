@@ -122,5 +122,39 @@ TEST(KmlDom, reads_nothing_else) {
   EXPECT_THAT(dom.text(), HasSubstr("<a>&e;</a>"));
 }
 
+// Google Earth declares KML's namespace twice, and GDAL knows elements without a prefix alone.
+TEST(KmlDom, names_copies_as_what_is_around_them) {
+  const std::string twice =
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<kml xmlns=\"http://www.opengis.net/kml/2.2\" "
+      "xmlns:gx=\"http://www.google.com/kml/ext/2.2\" "
+      "xmlns:kml=\"http://www.opengis.net/kml/2.2\"><Document><Folder><name>a</name>"
+      "<Placemark><name>p</name><gx:x><y/></gx:x></Placemark></Folder></Document></kml>\n";
+  KmlDom dom(twice, "plan.kml");
+  const KmlElement placemark = dom.placemarks().front();
+  dom.copy_behind(placemark, placemark);
+  const KmlDom other(
+      "<kml xmlns=\"http://www.opengis.net/kml/2.2\"><Document><Folder><name>b</name>"
+      "<Placemark/></Folder></Document></kml>",
+      "other.kml");
+  dom.copy_into(children(other.container()).front(), dom.container());
+  dom.add_feature_part(dom.placemarks().front(), "description", "d");
+  const std::string text = dom.text();
+  EXPECT_EQ(text.find("<kml:"), std::string::npos) << text;
+  EXPECT_THAT(text, HasSubstr("<gx:x><y/></gx:x></Placemark><Placemark><name>p</name><gx:x><y/>"));
+  EXPECT_THAT(text, HasSubstr("<Folder><name>b</name><Placemark/></Folder></Document>"));
+}
+
+TEST(KmlDom, keeps_the_prefix_of_what_is_around_copies) {
+  ForeignPlan plan;
+  KmlDom& dom = plan.document.dom();
+  const KmlElement last = dom.placemarks().back();
+  dom.copy_behind(last, last);
+  const KmlDom other("<kml xmlns=\"http://www.opengis.net/kml/2.2\"><Folder/></kml>", "other.kml");
+  dom.copy_into(children(other.root()).front(), dom.container());
+  const std::string text = dom.text();
+  EXPECT_THAT(text, HasSubstr("<k:Folder/>"));
+  EXPECT_EQ(text.find("<Placemark"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace lsos::test

@@ -48,5 +48,15 @@ TEST(PlanNotes, take_the_place_of_earlier_ones_and_leave_what_is_a_planners) {
   EXPECT_EQ(canonical(plan.document.text()), canonical(plan.text));
 }
 
+TEST(PlanNotes, are_taken_away_whole) {
+  TestPlan plan(mission() + rover("A") + pause("a", "A", 10));
+  EXPECT_FALSE(erase_notes(plan.document));
+  put_notes(plan.document,
+            {{&plan.event("A", 10), "<b>x</b>", "2026-07-01T00:00:00Z", "2026-07-01T00:10:00Z"}},
+            kml);
+  EXPECT_TRUE(erase_notes(plan.document));
+  EXPECT_EQ(canonical(plan.document.text()), canonical(plan.text));
+}
+
 }  // namespace
 }  // namespace lsos::test

@@ -40,5 +40,23 @@ TEST(Timeline, has_a_line_a_rover_and_day_with_letters_each_20_minutes) {
             "  B     ......\n");
 }
 
+TEST(Timeline, shows_drives_that_take_little_of_a_letter) {
+  MissionEstimate estimate;
+  estimate.end_s = 7200;
+  estimate.shades = {{"A", {}, {}, {}}};
+  for (const auto& [type, start_s, end_s] :
+       {std::tuple("Pause", 0.0, 1500.0), std::tuple("Route", 1500.0, 1560.0),
+        std::tuple("Pause", 1560.0, 7200.0)}) {
+    EventEstimate& event = estimate.events.emplace_back();
+    event.rover_id = "A";
+    event.type = type;
+    event.start_s = start_s;
+    event.end_s = end_s;
+  }
+  const std::string text = timeline_text(
+      estimate, {{"Route", Activity::driving}, {"Pause", Activity::waiting}}, Instant{});
+  EXPECT_NE(text.find(" A     WDWWWW\n"), std::string::npos) << text;
+}
+
 }  // namespace
 }  // namespace lsos

@@ -54,6 +54,23 @@ TEST_F(DrawnDrive, uses_more_uphill_than_downhill) {
   EXPECT_GT(up.energy_j, 2 * down.energy_j);
 }
 
+// Back the way it came: an arc of 270 degrees and one of 90, which end two radii along the line.
+TEST_F(DrawnDrive, swings_round_where_it_cannot_turn_on_the_spot) {
+  vehicle.can_turn_on_spot = cost.can_turn_on_spot = false;
+  vehicle.turning_radius_min_m = 3;
+  const DriveMark ahead = drive({{0, 300, 0}}, 90 * deg).marks.back();
+  const DriveMark back = drive({{0, 300, 0}}, -90 * deg).marks.back();
+  const double detour_m = (2 * std::numbers::pi - 2) * 3;
+  EXPECT_NEAR(back.driven_m - ahead.driven_m, detour_m, 0.01);
+  EXPECT_NEAR(back.along_m, ahead.along_m, 1e-6);
+  const double takes_s = detour_m / vehicle.cruise_speed_mps;
+  EXPECT_NEAR(back.time_s - ahead.time_s, takes_s, 0.01 * takes_s);
+  EXPECT_GT(back.energy_j, ahead.energy_j);
+  const DriveMark aside = drive({{0, 300, 0}}, 0).marks.back();
+  // Arcs of 150 and of 60 degrees, which end (1 + sqrt(3)) radii along it.
+  EXPECT_NEAR(aside.driven_m - ahead.driven_m, (210 * deg - 1 - std::numbers::sqrt3) * 3, 0.01);
+}
+
 TEST_F(DrawnDrive, turns_first_and_at_sharp_corners) {
   const double straight_s = drive({{100, 0, 0}, {200, 0, 0}}).marks.back().time_s;
   const double there_and_back_s = drive({{100, 0, 0}, {0, 0, 0}}).marks.back().time_s;

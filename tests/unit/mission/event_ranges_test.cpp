@@ -85,6 +85,14 @@ TEST_F(EventRanges, add_up_from_event_to_event) {
   EXPECT_DOUBLE_EQ(events[2].charge_end_range->low, 0.5 - 0.04);
 }
 
+TEST_F(EventRanges, of_charge_are_there_where_the_energy_has_one) {
+  add("A", 1, 0, 1000, {0, 0, 1e4, 2e4, 1e6});
+  find();
+  ASSERT_TRUE(events[0].energy_range_j && events[0].charge_end_range);
+  EXPECT_DOUBLE_EQ(events[0].charge_end_range->low, 0.498);
+  EXPECT_DOUBLE_EQ(events[0].charge_end_range->high, 0.501);
+}
+
 TEST_F(EventRanges, of_energy_count_what_else_is_used_while_it_takes_longer) {
   add("A", 1, 0, 1000, {0, 100, 0, 0, 0.4e6});
   find();
