@@ -90,7 +90,8 @@ std::int64_t count_cases(const StudyFiles& files, Faults& faults) {
     return 0;
   }
   if (study.cases && *study.cases > size) {
-    faults.error(study.place, fmt::format("study: cases = {}: the grid has {}", *study.cases, size));
+    faults.error(study.place,
+                 fmt::format("study: cases = {}: the grid has {}", *study.cases, size));
     return 0;
   }
   return study.cases.value_or(size);
@@ -101,9 +102,8 @@ double interval_of(const StudyFiles& files) {
   if (files.study.interval_s > 0) return files.study.interval_s;
   constexpr double wanted = 200;
   const double least_s = seconds(files.base.plan.mission.max_duration) / wanted;
-  for (const double round_s : {1.0,    2.0,    5.0,    10.0,   20.0,    30.0,    60.0,    120.0,
-                               300.0,  600.0,  900.0,  1800.0, 3600.0,  7200.0,  10800.0, 21600.0,
-                               43200.0}) {
+  for (const double round_s : {1.0, 2.0, 5.0, 10.0, 20.0, 30.0, 60.0, 120.0, 300.0, 600.0, 900.0,
+                               1800.0, 3600.0, 7200.0, 10800.0, 21600.0, 43200.0}) {
     if (round_s >= least_s) return round_s;
   }
   return 86400;
@@ -128,10 +128,9 @@ StudyFiles read_study(const std::string& file) {
   const Declarations& declarations = files.base.catalog->declarations();
   Faults faults;
   const BaseNumbers numbers(files.base, files.kml);
-  const ParameterContext context{
-      files.base.plan, declarations,
-      [&](const Address& address) { return numbers.of(address); },
-      [](const std::string& key) { return find_unit(si_unit_of(key)); }};
+  const ParameterContext context{files.base.plan, declarations,
+                                 [&](const Address& address) { return numbers.of(address); },
+                                 [](const std::string& key) { return find_unit(si_unit_of(key)); }};
   files.parameters = parameters_of(files.study, context, faults);
   if (!faults.has_errors()) files.cases = count_cases(files, faults);
   check_gatherings(files, faults);
@@ -149,9 +148,8 @@ PlanSource plan_of_case(const StudyFiles& files, const std::vector<Draw>& draws,
                         const std::string& folder) {
   const fs::path home = fs::weakly_canonical(fs::absolute(files.base.plan.home)),
                  from = fs::weakly_canonical(fs::absolute(folder));
-  const std::string text =
-      case_plan(files.kml, files.base.plan, files.base.catalog->declarations(), draws,
-                home.lexically_relative(from).string());
+  const std::string text = case_plan(files.kml, files.base.plan, files.base.catalog->declarations(),
+                                     draws, home.lexically_relative(from).string());
   const std::string file = folder + "/plan.kml";
   return {file, parse_kml(text, file), "", text, true};
 }
