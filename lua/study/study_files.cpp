@@ -109,6 +109,42 @@ double interval_of(const StudyFiles& files) {
   return 86400;
 }
 
+// The first, last and, of a short list, all values that a parameter can have.
+std::vector<Draw> extremes_of(const Parameter& parameter) {
+  constexpr std::size_t all_max = 20;
+  constexpr double first = 0, last = 1 - 0x1.0p-53;
+  std::vector<double> shares{first, last};
+  const std::size_t count = parameter.choices.size();
+  if (parameter.variation.form == Form::list && count <= all_max) {
+    shares.clear();
+    for (std::size_t i = 0; i < count; ++i) {
+      shares.push_back((static_cast<double>(i) + 0.5) / static_cast<double>(count));
+    }
+  }
+  std::vector<Draw> extremes;
+  for (const double share : shares) {
+    extremes.push_back(draw(parameter, {{parameter.name(), share}}));
+  }
+  return extremes;
+}
+
+// Reads the plan with each extreme value, one at a time: scripts may refuse what a field allows.
+void check_extremes(const StudyFiles& files, Faults& faults) {
+  for (const Parameter& parameter : files.parameters) {
+    if (parameter.is_place()) continue;  // whether there is ground, each case finds
+    for (const Draw& extreme : extremes_of(parameter)) {
+      const PlanSource source =
+          plan_of_case(files, {extreme}, fs::path(files.plan_file).parent_path().string());
+      for (const Fault& fault : read_mission(source, files.base.catalog).faults.sorted()) {
+        if (fault.severity != Severity::error) continue;
+        faults.error(
+            parameter.variation.place,
+            fmt::format("vary '{}' = {}: {}", parameter.variation.of, extreme.text, fault.what));
+      }
+    }
+  }
+}
+
 }  // namespace
 
 Sampler StudyFiles::sampler() const {
@@ -134,6 +170,7 @@ StudyFiles read_study(const std::string& file) {
   files.parameters = parameters_of(files.study, context, faults);
   if (!faults.has_errors()) files.cases = count_cases(files, faults);
   check_gatherings(files, faults);
+  check_extremes(files, faults);
   faults.throw_if_errors();
   files.interval_s = interval_of(files);
   return files;
