@@ -133,8 +133,7 @@ void check_extremes(const StudyFiles& files, Faults& faults) {
   for (const Parameter& parameter : files.parameters) {
     if (parameter.is_place()) continue;  // whether there is ground, each case finds
     for (const Draw& extreme : extremes_of(parameter)) {
-      const PlanSource source =
-          plan_of_case(files, {extreme}, fs::path(files.plan_file).parent_path().string());
+      const PlanSource source = plan_of_case(files, {extreme}, files.plan_folder());
       for (const Fault& fault : read_mission(source, files.base.catalog).faults.sorted()) {
         if (fault.severity != Severity::error) continue;
         faults.error(
@@ -146,6 +145,11 @@ void check_extremes(const StudyFiles& files, Faults& faults) {
 }
 
 }  // namespace
+
+std::string StudyFiles::plan_folder() const {
+  const std::string folder = fs::path(plan_file).parent_path().string();
+  return folder.empty() ? "." : folder;
+}
 
 Sampler StudyFiles::sampler() const {
   return {study.sampling, study.seed, cases, dimensions_of(parameters)};

@@ -24,6 +24,7 @@ struct StudyFiles {
   std::int64_t cases = 0;
   double interval_s = 0;  // between two times of the bands
 
+  std::string plan_folder() const;
   Sampler sampler() const;
 };
 
@@ -35,7 +36,7 @@ StudyFiles read_study(const std::string& file);
 std::vector<Draw> draws_of_case(const StudyFiles& files, const Sampler& sampler,
                                 std::int64_t number);
 
-// The plan of a case whose folder is `folder`, as if it lay there.
+// The plan of a case as if it lay in `folder`, which must exist.
 PlanSource plan_of_case(const StudyFiles& files, const std::vector<Draw>& draws,
                         const std::string& folder);
 

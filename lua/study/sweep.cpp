@@ -66,7 +66,11 @@ class SweepNews {
     if (is_stopped) return;
     ++state_.not_run;
     progress_.finish();
-    if (mark) {
+    if (mark && ending.code == static_cast<int>(CaseEnd::machine)) {
+      print_message("case {} was not finished: {}; the next sweep goes on with it\n", number,
+                    mark->reason);
+      fs::remove(not_run_file(folder_, number));
+    } else if (mark) {
       print_message("case {} could not be run: {}\n", number, mark->reason);
     } else if (ending.code == static_cast<int>(CaseEnd::elsewhere)) {
       print_message("case {} is run by another process\n", number);

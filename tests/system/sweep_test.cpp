@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <thread>
 
-#include "system/study_text.h"
+#include "system/killed_sweep.h"
 
 namespace lsos::test {
 namespace {
@@ -209,6 +209,8 @@ TEST_F(Sweep, goes_on_after_it_was_stopped) {
   EXPECT_EQ(state["done"], 0);
   EXPECT_EQ(state["running"], json::array());
 }
+
+TEST_F(KilledSweep, at_a_few_moments_loses_nothing_and_repeats_nothing) { kill(3); }
 
 TEST_F(Sweep, lists_its_cases_without_running_them) {
   write(short_plan(), study_text("cases = 3,", speeds));
