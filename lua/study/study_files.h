@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -16,11 +16,13 @@ namespace lsos {
 
 struct StudyFiles {
   Study study;
-  std::string sha256;                 // of the study's file
-  std::string plan_file;              // relative to the working folder
-  MissionFiles base;                  // the plan, its scripts and models
-  std::string kml;                    // its document
-  std::vector<Parameter> parameters;  // in byte order of their names
+  std::string sha256;                           // of the study's file
+  std::string plan_file;                        // relative to the working folder
+  MissionFiles base;                            // the plan, its scripts and models
+  std::string kml;                              // its document
+  std::vector<Parameter> parameters;            // in byte order of their names
+  std::map<std::string, std::string> scripts;   // digests of those that any case uses
+  std::map<std::string, TerrainSpec> terrains;  // of all cases, by name
   std::int64_t cases = 0;
   double interval_s = 0;  // between two times of the bands
 
