@@ -98,11 +98,11 @@ class SweepNews {
   Progress progress_;
 };
 
-int tell_end(const StudyFiles& files, const std::string& folder, bool is_json) {
-  const SweepState state = sweep_state(folder, files.cases);
-  print_result("{}", is_json ? to_json(state) : to_text(state) + "\n");
-  if (!is_json) print_result("results in {}\n", folder);
-  return state.missing() + state.not_run == 0 ? 0 : 1;
+// Whether those of the cases that were asked for are done.
+bool are_done(const StudyFiles& files, const SweepOptions& options, const std::string& folder) {
+  return std::ranges::all_of(listed_cases(options.cases, files.cases), [&](std::int64_t number) {
+    return is_done(folder, number);
+  });
 }
 
 }  // namespace
@@ -163,9 +163,11 @@ int sweep(const SweepOptions& options) {
     print_message("stopped: the same command goes on\n");
     return 128 + signal;
   }
-  if (options.verb == "run") return tell_end(files, folder, options.is_json);
-  gather(gather_request(files, folder));
-  return tell_end(files, folder, options.is_json);
+  if (options.verb != "run") gather(gather_request(files, folder));
+  const SweepState state = sweep_state(folder, files.cases);
+  print_result("{}", options.is_json ? to_json(state) : to_text(state) + "\n");
+  if (!options.is_json) print_result("results in {}\n", folder);
+  return are_done(files, options, folder) ? 0 : 1;
 }
 
 int sweep_status(const SweepOptions& options) {

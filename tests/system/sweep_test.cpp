@@ -90,7 +90,7 @@ TEST_F(Sweep, gives_the_same_rows_with_any_number_of_processes) {
   write(short_plan(), study_text("cases = 4, sampling = 'sobol',", speeds));
   ASSERT_EQ(sweep({"-j", "1"}, "one").exit_code, 0);
   // In another order, as the processes of a cluster would.
-  ASSERT_EQ(sweep({"run", "--cases", "3-4", "-j", "2"}, "two").exit_code, 1) << "two are missing";
+  ASSERT_EQ(sweep({"run", "--cases", "3-4", "-j", "2"}, "two").exit_code, 0);
   ASSERT_EQ(sweep({"run", "--cases", "1,2"}, "two").exit_code, 0);
   ASSERT_EQ(sweep({"gather"}, "two").exit_code, 0);
   EXPECT_EQ(equal_parts(folder_ / "one"), equal_parts(folder_ / "two"));
