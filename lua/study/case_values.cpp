@@ -183,6 +183,12 @@ class SampleWalk {
     last_[row.rover_id] = row;
   }
 
+  // Where the rover was last; absent without a sample.
+  std::optional<Geodetic> last_place(const std::string& rover) const {
+    const auto last = last_.find(rover);
+    return last == last_.end() ? std::nullopt : std::optional(last->second.place);
+  }
+
   std::optional<double> result(std::size_t index) const {
     const Gathering& gathering = gatherings_[index];
     if (gathering.take != Take::share) return extremes_[index];
@@ -297,6 +303,7 @@ CaseValues values_of_case(const StudyFiles& files, const std::string& folder,
   CaseValues values;
   std::vector<double> gathered(gatherings.size(), absent), charges(rows.size(), absent);
 
+  std::map<std::string, std::optional<Geodetic>> last_places;
   LuaState lua(make_api);
   lua.run([&](lua_State* L) {
     SampleWalk walk(gatherings, L);
@@ -323,6 +330,9 @@ CaseValues values_of_case(const StudyFiles& files, const std::string& folder,
     for (std::size_t i = 0; i < gatherings.size(); ++i) {
       if (const auto result = walk.result(i)) gathered[i] = *result;
     }
+    for (const std::string& rover : rover_ids(files.base.plan)) {
+      last_places[rover] = walk.last_place(rover);
+    }
   });
   for (std::size_t i = 0; i < gatherings.size(); ++i) {
     if (gatherings[i].take == Take::summary) {
@@ -341,6 +351,14 @@ CaseValues values_of_case(const StudyFiles& files, const std::string& folder,
     if (row.end) event.end_s = seconds(*row.end);
     if (std::isfinite(charges[i])) event.charge = charges[i];
     values.events.push_back(std::move(event));
+  }
+  // The first event of each rover that did not end is where its mission ended.
+  for (CaseRecord::Event& event : values.events) {
+    const bool has_not_ended = event.status == "incomplete" || event.status == "not_started";
+    const auto last = last_places.find(event.rover_id);
+    if (!has_not_ended || last == last_places.end()) continue;
+    if (!event.place) event.place = last->second;
+    last_places.erase(last);
   }
   return values;
 }
