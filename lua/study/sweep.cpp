@@ -100,9 +100,8 @@ class SweepNews {
 
 // Whether those of the cases that were asked for are done.
 bool are_done(const StudyFiles& files, const SweepOptions& options, const std::string& folder) {
-  return std::ranges::all_of(listed_cases(options.cases, files.cases), [&](std::int64_t number) {
-    return is_done(folder, number);
-  });
+  return std::ranges::all_of(listed_cases(options.cases, files.cases),
+                             [&](std::int64_t number) { return is_done(folder, number); });
 }
 
 }  // namespace
