@@ -25,8 +25,8 @@ std::vector<End> ends_of(const CaseRecord& record) {
   std::vector<End> ends;
   if (record.status == "completed") return ends;
   for (const CaseRecord::Event& event : record.events) {
-    const bool is_bad = event.status == "failed" || event.status == "incomplete" ||
-                        event.status == "not_started";
+    const bool is_bad =
+        event.status == "failed" || event.status == "incomplete" || event.status == "not_started";
     if (is_bad && event.place) ends.push_back({record.number, event});
   }
   return ends;
