@@ -181,6 +181,10 @@ int sweep_gather(const SweepOptions& options) {
   const std::string folder = study_folder(options);
   check_study_folder(files, folder);
   const Gathered gathered = gather(gather_request(files, folder));
+  if (options.is_json) {
+    print_result("{}", to_json(sweep_state(folder, files.cases)));
+    return 0;
+  }
   print_result("{} of {} cases in {}/{}\n", gathered.cases, files.cases, folder, study_table);
   return 0;
 }
