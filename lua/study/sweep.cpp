@@ -35,9 +35,8 @@ void tell_warnings(const StudyFiles& files) {
 }
 
 // Those that are to be run now.
-std::vector<std::int64_t> open_cases(const StudyFiles& files, const SweepOptions& options,
+std::vector<std::int64_t> open_cases(std::vector<std::int64_t> numbers, const SweepOptions& options,
                                      const std::string& folder) {
-  std::vector<std::int64_t> numbers = listed_cases(options.cases, files.cases);
   std::erase_if(numbers, [&](std::int64_t number) {
     if (is_done(folder, number)) return true;
     const std::string mark = not_run_file(folder, number);

@@ -54,9 +54,9 @@ TEST_F(Sweep, leaves_a_row_a_case) {
     EXPECT_NEAR(row["A_energy_start_j"], 144e6 * double{row["Rover A.InitialCharge"]}, 1);
     EXPECT_EQ(row["log_sha256"].get<std::string>().size(), 64u);
     const std::string name = "out/cases/00000" + std::to_string(row["case"].get<int>());
-    const json summary = json::parse(read_text(folder_ / name + "/summary.json"));
+    const json summary = json::parse(read_text(folder_ / (name + "/summary.json")));
     EXPECT_EQ(summary["log_sha256"], row["log_sha256"]);
-    EXPECT_FALSE(fs::exists(folder_ / name + "/log.gpkg")) << "keep = 'none'";
+    EXPECT_FALSE(fs::exists(folder_ / (name + "/log.gpkg"))) << "keep = 'none'";
   }
   EXPECT_NE(cases[0]["A/10.Speed"], cases[1]["A/10.Speed"]);
   const json speed = rows(folder_ / "out", "SELECT * FROM columns WHERE name = 'A/10.Speed'");
