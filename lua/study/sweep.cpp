@@ -98,9 +98,8 @@ class SweepNews {
 };
 
 // Whether those of the cases that were asked for are done.
-bool are_done(const StudyFiles& files, const SweepOptions& options, const std::string& folder) {
-  return std::ranges::all_of(listed_cases(options.cases, files.cases),
-                             [&](std::int64_t number) { return is_done(folder, number); });
+bool are_done(const std::vector<std::int64_t>& numbers, const std::string& folder) {
+  return std::ranges::all_of(numbers, [&](std::int64_t number) { return is_done(folder, number); });
 }
 
 }  // namespace
@@ -142,10 +141,10 @@ int sweep(const SweepOptions& options) {
   if (!options.is_quiet) tell_warnings(files);
   const std::string folder = study_folder(options);
   const auto jobs = options.jobs > 0 ? static_cast<std::size_t>(options.jobs) : processors();
-  if (options.is_dry)
-    return dry_run(files, listed_cases(options.cases, files.cases), jobs, options);
+  const std::vector<std::int64_t> wanted = listed_cases(options.cases, files.cases);
+  if (options.is_dry) return dry_run(files, wanted, jobs, options);
   open_study_folder(files, folder);
-  const std::vector<std::int64_t> numbers = open_cases(files, options, folder);
+  const std::vector<std::int64_t> numbers = open_cases(wanted, options, folder);
   const int threads =
       options.threads > 0 ? options.threads : std::max(1, static_cast<int>(processors() / jobs));
   SweepNews news(folder, sweep_state(folder, files.cases), jobs, options.is_quiet);
@@ -165,7 +164,7 @@ int sweep(const SweepOptions& options) {
   const SweepState state = sweep_state(folder, files.cases);
   print_result("{}", options.is_json ? to_json(state) : to_text(state) + "\n");
   if (!options.is_json) print_result("results in {}\n", folder);
-  return are_done(files, options, folder) ? 0 : 1;
+  return are_done(wanted, folder) ? 0 : 1;
 }
 
 int sweep_status(const SweepOptions& options) {

@@ -25,7 +25,7 @@ class KilledSweep : public ::testing::Test {
         study_text("cases = 6, sampling = 'sobol',",
                    "lsos.vary { of = 'A/10.Speed', uniform = { '0.5 m/s', '1.5 m/s' } }"));
     const auto begin = std::chrono::steady_clock::now();
-    ASSERT_EQ(run(sweep("whole"), {.folder = folder_.path()}).exit_code, 0);
+    ASSERT_EQ(run_command(sweep("whole"), {.folder = folder_.path()}).exit_code, 0);
     took_s_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     whole_ = equal_parts(folder_ / "whole");
   }
@@ -44,7 +44,7 @@ class KilledSweep : public ::testing::Test {
       EXPECT_EQ(equal_parts(folder_ / name), whole_) << name;
       name = "killed" + std::to_string(i);
     }
-    ASSERT_EQ(run(sweep(name), {.folder = folder_.path()}).exit_code, 0);
+    ASSERT_EQ(run_command(sweep(name), {.folder = folder_.path()}).exit_code, 0);
     EXPECT_EQ(equal_parts(folder_ / name), whole_);
   }
 

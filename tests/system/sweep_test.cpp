@@ -79,7 +79,7 @@ TEST_F(Sweep, has_bands_that_hold_its_cases) {
   }
   EXPECT_EQ(bands[0]["p95"], 0.0);
   EXPECT_EQ(bands[0]["share_reached"], 1.0);
-  const json arrivals = rows(folder_ / "out", "SELECT * FROM arrivals");
+  const json arrivals = all_rows(folder_ / "out", "arrivals");
   ASSERT_EQ(arrivals.size(), 2u);
   EXPECT_EQ(arrivals[0]["share_reached"], 1.0);
   EXPECT_LT(arrivals[0]["end_s_p5"], arrivals[0]["end_s_p95"]);
@@ -178,7 +178,7 @@ TEST_F(Sweep, tells_of_missions_that_fail) {
   EXPECT_EQ(cases[0]["status"], "completed");
   EXPECT_NE(cases[1]["status"], "completed");
   EXPECT_THAT(cases[1]["reason"].get<std::string>(), HasSubstr("A/10"));
-  const json ends = rows(folder_ / "out", "SELECT * FROM ends");
+  const json ends = all_rows(folder_ / "out", "ends");
   ASSERT_GE(ends.size(), 1u);
   EXPECT_EQ(ends[0]["case"], 2);
   EXPECT_TRUE(fs::exists(folder_ / "out/cases/000002/log.gpkg"));
