@@ -129,6 +129,17 @@ ChildProcess::Ending ChildProcess::wait() {
   int status = 0;
   while (waitpid(id_, &status, 0) < 0 && errno == EINTR) {
   }
+  return ended(status);
+}
+
+std::optional<ChildProcess::Ending> ChildProcess::poll() {
+  int status = 0;
+  if (waitpid(id_, &status, WNOHANG) != id_) return {};
+  close_pipe();
+  return ended(status);
+}
+
+ChildProcess::Ending ChildProcess::ended(int status) {
   id_ = -1;
   Ending ending;
   if (WIFEXITED(status)) ending.code = WEXITSTATUS(status);

@@ -36,6 +36,8 @@ class ChildProcess {
   // Everything that the child writes until it closes its end.
   std::string read_all();
   void send(int signal) const;
+  // How it has ended; absent while it goes on. Not to be called again once it has ended.
+  std::optional<Ending> poll();
   // Closes the pipe and waits. To be called once.
   Ending wait();
 
@@ -43,6 +45,7 @@ class ChildProcess {
   ChildProcess(pid_t id, int pipe_end) : id_(id), pipe_end_(pipe_end) {}
 
   void close_pipe();
+  Ending ended(int status);
 
   pid_t id_ = -1;  // -1: it has been waited for
   int pipe_end_ = -1;

@@ -135,6 +135,13 @@ void PlanDocument::follow_rasters(const std::string& file) {
     if (!terrain.is_raster || !fs::path(terrain.as_written).is_relative()) return;
     set_field(mission_, name, (here / terrain.as_written).lexically_relative(there).string());
   };
+  // Rasters of a case lie beside the plan that it is a case of.
+  if (const std::string& home = plan_.mission.case_of; !home.empty()) {
+    if (fs::path(home).is_relative()) {
+      set_field(mission_, "CaseOf", (here / home).lexically_relative(there).string());
+    }
+    return;
+  }
   follow("Terrain", plan_.mission.terrain);
   follow("TerrainBeyond", plan_.mission.terrain_beyond);
 }

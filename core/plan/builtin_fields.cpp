@@ -89,6 +89,11 @@ const std::vector<FieldDeclaration>& mission_fields() {
       field("TerrainBeyond", "terrain_beyond", FieldKind::text,
             "the ground where the raster of Terrain ends, as far as the horizon: a coarser raster "
             "or a terrain script"),
+      field("Soil", "soil", FieldKind::text,
+            "a script in terrain/soils/: what the ground is made of, in place of the terrain's "
+            "own soil"),
+      field("SoilVariant", "soil_variant", FieldKind::text,
+            "changes to the numbers of the soil: cohesion_pa = 300; friction_rad = 35 deg"),
       in_range(with_default(field("Seed", "seed", FieldKind::integer, "of all random numbers"),
                             std::int64_t{0}),
                "1", 0, {}),
@@ -107,6 +112,9 @@ const std::vector<FieldDeclaration>& mission_fields() {
       field("OnFailure", "on_failure", FieldKind::text,
             "what follows a failure where neither the event nor its Rover says it: stop, skip, "
             "abort, goto LABEL (the next later event of the rover so called, else stop)"),
+      field("CaseOf", "case_of", FieldKind::text,
+            "a plan, relative to this one, of which this is a case (see sweep): scripts and "
+            "rasters are found beside that plan"),
   };
   return fields;
 }

@@ -113,6 +113,19 @@ MissionInfo read_mission(const std::vector<PlanPlacemark>& missions, const ReadC
   if (const auto* beyond = find_value<std::string>(values, "terrain_beyond")) {
     mission.terrain_beyond = read_terrain(fields, "TerrainBeyond", *beyond, context);
   }
+  if (const auto* soil = find_value<std::string>(values, "soil")) mission.soil = *soil;
+  if (const auto* variant = find_value<std::string>(values, "soil_variant")) {
+    mission.soil_variant = *variant;
+  }
+  if (const auto* home = find_value<std::string>(values, "case_of")) {
+    mission.case_of = *home;
+    std::error_code unreadable;
+    if (!fs::is_regular_file(context.plan_file, unreadable)) {
+      fields.error(case_of_field, fmt::format("there is no plan {}, beside which the scripts and "
+                                              "rasters of this one lie",
+                                              context.plan_file));
+    }
+  }
   if (const auto* seed = find_value<std::int64_t>(values, "seed")) {
     mission.seed = static_cast<std::uint64_t>(*seed);
   }

@@ -11,9 +11,12 @@
 
 namespace lsos {
 
+// The field of MissionInfo that names the plan of which this is a case.
+inline constexpr const char* case_of_field = "CaseOf";
+
 // Context that the readers of all kinds of Placemark share.
 struct ReadContext {
-  const std::string& plan_file;    // as given; paths in the plan are relative to its folder
+  const std::string& plan_file;    // Plan::home; paths in the plan are relative to its folder
   const std::string& source_file;  // for messages
   const Declarations& declarations;
   Faults& faults;

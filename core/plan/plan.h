@@ -39,6 +39,9 @@ struct MissionInfo {
   Instant start_time;
   TerrainName terrain;
   TerrainName terrain_beyond;  // the ground beyond the edges of `terrain`
+  std::string soil;            // script in terrain/soils/, in place of the terrain's; "": none
+  std::string soil_variant;    // changes to that soil's numbers, as written; "": none
+  std::string case_of;         // see Plan::home, as written; "": none
   std::uint64_t seed = 0;
   SimTime log_interval{2'000'000};
   SimTime parked_log_interval{60'000'000};
@@ -134,6 +137,9 @@ struct PlanGaps {
 
 struct Plan {
   std::string file;
+  // The plan beside which scripts and rasters lie: `file`, or the one that CaseOf names. Relative
+  // to the working folder.
+  std::string home;
   MissionInfo mission;
   std::vector<PlanRover> rovers;               // in byte order of id
   std::vector<PlanEvent> events;               // sorted by rover id, then sequence
@@ -163,6 +169,8 @@ Plan read_plan(const std::string& file, const Declarations& declarations, Faults
 
 struct KmlSource;
 struct SourcePlacemark;
+// What Plan::home is to be of a plan that is read from `file`.
+std::string home_of(const KmlSource& source, const std::string& file);
 // Reads a plan from Placemarks of another source. Paths in it are relative to the folder of `file`.
 Plan read_plan(const std::string& file, const KmlSource& source, const Declarations& declarations,
                Faults& faults);

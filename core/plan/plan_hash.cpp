@@ -48,6 +48,8 @@ void add_mission(Digest& digest, const MissionInfo& mission) {
   if (!mission.terrain_beyond.name.empty()) {
     digest.text("terrain_beyond", mission.terrain_beyond.hashed());
   }
+  if (!mission.soil.empty()) digest.text("soil", mission.soil);
+  if (!mission.soil_variant.empty()) digest.text("soil_variant", mission.soil_variant);
   digest.integer("seed", static_cast<std::int64_t>(mission.seed));
   digest.integer("log_interval", mission.log_interval.count());
   digest.integer("parked_log_interval", mission.parked_log_interval.count());

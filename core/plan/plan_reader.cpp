@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 
+#include "base/resolved_path.h"
 #include "plan/classify.h"
 #include "plan/event_reader.h"
 #include "plan/far_places.h"
@@ -122,10 +124,28 @@ const PlanRover* rover_of(const Plan& plan, const std::string& rover_id) {
   return is_only ? &*first : nullptr;
 }
 
+// CaseOf is looked for before scripts are known, and so before Placemarks are classified: no other
+// kind of Placemark has a field of that name.
+std::string home_of(const KmlSource& source, const std::string& file) {
+  std::string text;
+  const auto look = [&](const std::vector<SourceField>& fields) {
+    for (const SourceField& field : fields) {
+      if (field.name == case_of_field && text.empty()) text = field.text;
+    }
+  };
+  for (const SourcePlacemark& placemark : source.placemarks) {
+    for (const SourceData& data : placemark.data) look(data.fields);
+    look(placemark.plain_data);
+  }
+  if (text.empty()) return file;
+  return resolved_path(std::filesystem::path(file).parent_path().string(), text);
+}
+
 Plan read_plan(const std::string& file, const KmlSource& source, const Declarations& declarations,
                Faults& faults) {
   Plan plan;
   plan.file = file;
+  plan.home = home_of(source, file);
   for (const auto& [type, event] : declarations.events) {
     if (event.activity != Activity::none) plan.activities[type] = event.activity;
   }
@@ -142,7 +162,7 @@ Plan read_plan(const std::string& file, const KmlSource& source, const Declarati
   warn_of_links(source, faults);
   check_schema_types(source, ours, faults);
 
-  const ReadContext context{file, source.file, declarations, faults};
+  const ReadContext context{plan.home, source.file, declarations, faults};
   Unread unread = read_unread(ours.unread, context, plan.gaps);
   // A MissionInfo or a Rover that cannot be read is present all the same: it is not missing.
   if (ours.missions.empty() && unread.has_mission) {
@@ -192,7 +212,7 @@ PlanEvent read_event(const SourcePlacemark& placemark, const Plan& plan,
   const Classified ours = classify(source, declarations, faults);
   faults.throw_if_errors();
   LSOS_ASSERT(ours.events.size() == 1);
-  const ReadContext context{plan.file, source.file, declarations, faults};
+  const ReadContext context{plan.home, source.file, declarations, faults};
   std::vector<std::string> rover_ids;
   for (const PlanRover& rover : plan.rovers) rover_ids.push_back(rover.id);
   std::vector<DraftEvent> drafts = read_events(ours.events, context, rover_ids, plan.gaps);
@@ -224,7 +244,7 @@ Plan read_plan(const std::string& file, const Declarations& declarations, Faults
     faults.add(error.faults());
   }
   Plan plan;
-  plan.file = file;
+  plan.file = plan.home = file;
   return plan;
 }
 

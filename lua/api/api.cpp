@@ -94,7 +94,8 @@ const std::vector<ApiSection>& api_sections() {
   static const std::vector<ApiSection> sections{{"Events", event_constructors()},
                                                 {"Fields of events", field_constructors()},
                                                 {"Rovers", rover_constructors()},
-                                                {"Terrains and soils", terrain_constructors()}};
+                                                {"Terrains and soils", terrain_constructors()},
+                                                {"Studies", study_constructors()}};
   return sections;
 }
 

@@ -26,7 +26,7 @@ struct ApiConstant {
 
 const std::vector<ApiFunction>& api_functions();
 const std::vector<ApiConstant>& api_constants();
-// A section of the reference: events, fields of events, rovers, or terrains and soils.
+// A section of the reference: events, fields of events, rovers, terrains and soils, or studies.
 struct ApiSection {
   const char* title;
   std::vector<Constructor> constructors;

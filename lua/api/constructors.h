@@ -30,6 +30,7 @@ std::vector<Constructor> suspension_constructors();
 std::vector<Constructor> power_constructors();
 std::vector<Constructor> asset_constructors();
 std::vector<Constructor> terrain_constructors();
+std::vector<Constructor> study_constructors();
 
 // The name of the constructor that runs, and a reader of its one argument.
 TableReader constructor_reader(lua_State* L);

@@ -62,7 +62,7 @@ PlanSource revised_source(const BranchOptions& options, const MissionFiles& trun
   PlanSource source = read_plan_source(options.plan);
   allow_beside(options.plan);
   const MissionFiles files =
-      read_mission(source, read_catalog(source.file), trunk.plan.mission.seed);
+      read_mission(source, read_catalog(source), trunk.plan.mission.seed);
   files.faults.throw_if_errors();
   const auto numbers = renumbered_events(trunk.plan, begun, files.plan);
   if (numbers.empty()) return source;
@@ -96,7 +96,7 @@ void print(const Faults& faults, bool is_quiet) {
 
 // The mission of `source`, which begins as that of the trunk did.
 MissionFiles branch_files(const PlanSource& source, const SavedRun& saved, std::uint64_t seed) {
-  MissionFiles files = read_mission(source, read_catalog(source.file), seed);
+  MissionFiles files = read_mission(source, read_catalog(source), seed);
   if (!saved.mission.from.empty() && !files.faults.has_errors()) {
     begin_from(saved.mission.from, files);
   }

@@ -20,11 +20,6 @@ namespace lsos {
 
 namespace {
 
-struct ResumeOptions : OutcomeOptions {
-  std::string folder;
-  bool is_renderer_allowed = false;
-};
-
 // Says in the log, and in later checkpoints, that another renderer draws from here on.
 void note_renderer(SavedRun& saved, const std::string& renderer, LogWriter& log) {
   const auto before = saved.mission.values.find("renderer");
@@ -50,6 +45,8 @@ void tell_of_edited_plan(const std::string& folder, const std::string& plan_file
   }
   print_message("{}: has changed since it was run; {}\n", plan_file, goes_on);
 }
+
+}  // namespace
 
 int resume_command(const ResumeOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
@@ -83,8 +80,6 @@ int resume_command(const ResumeOptions& options) {
   }
   return run_to_end({files, simulation, folder, record, checkpoints}, options);
 }
-
-}  // namespace
 
 std::function<int()> prepare_resume(CommandOptions& command) {
   const auto options = std::make_shared<ResumeOptions>();

@@ -20,14 +20,13 @@
 
 namespace lsos {
 
-int run_command(const RunOptions& options) {
-  const auto begin = std::chrono::steady_clock::now();
+int run_files(MissionFiles files, const RunOptions& options,
+              std::chrono::steady_clock::time_point begin) {
   const SimTime every = kept_every(options.checkpoints);
-  MissionFiles files = read_mission(options.plan, options.seed);
   files.faults.throw_if_errors();
   if (!options.from.empty()) begin_from(options.from, files);
   files.faults.throw_if_errors();
-  files.faults.add(cached_legs_advice(options.plan));
+  files.faults.add(cached_legs_advice(files.plan.home));
   for (const Fault& fault : files.faults.sorted()) {
     if (!options.is_quiet) print_message("{}\n", to_string(fault));
   }
@@ -66,6 +65,11 @@ int run_command(const RunOptions& options) {
   simulation.start();
   checkpoints.start(simulation);
   return run_to_end({files, simulation, folder, record, checkpoints}, options);
+}
+
+int run_command(const RunOptions& options) {
+  const auto begin = std::chrono::steady_clock::now();
+  return run_files(read_mission(options.plan, options.seed), options, begin);
 }
 
 std::function<int()> prepare_run(CommandOptions& command) {

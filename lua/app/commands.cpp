@@ -32,6 +32,7 @@ const std::vector<Command>& commands() {
       {"compare", "What differs between runs, or between a run and telemetry", prepare_compare},
       {"verify", "Whether the log of a run is the one that its summary was written of",
        prepare_verify},
+      {"sweep", "Run a study: many runs of a plan, of which some numbers vary", prepare_sweep},
       {"sun", "Sun and Earth in the sky of a place", prepare_sun},
   };
   return table;

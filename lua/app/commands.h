@@ -43,5 +43,6 @@ std::function<int()> prepare_report(CommandOptions& command);
 std::function<int()> prepare_compare(CommandOptions& command);
 std::function<int()> prepare_verify(CommandOptions& command);
 std::function<int()> prepare_sun(CommandOptions& command);
+std::function<int()> prepare_sweep(CommandOptions& command);  // in lua/study
 
 }  // namespace lsos

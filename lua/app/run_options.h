@@ -45,4 +45,10 @@ int run_command(const RunOptions& options);
 // Runs it again each time that the plan or a script changes, until a signal comes.
 int watch_command(RunOptions options);
 
+struct ResumeOptions : OutcomeOptions {
+  std::string folder;
+  bool is_renderer_allowed = false;
+};
+int resume_command(const ResumeOptions& options);
+
 }  // namespace lsos

@@ -156,7 +156,7 @@ SimulationSetup run_setup(const MissionFiles& files, const OutcomeOptions& optio
   SimulationSetup setup = simulation_setup(files);
   setup.threads = options.threads;
   setup.keeps_sight = true;
-  setup.cache_legs = [file = files.plan.file](const std::string& bytes) {
+  setup.cache_legs = [file = files.plan.home](const std::string& bytes) {
     cache_legs(file, bytes);
   };
   setup.on_planning = [&watch](const std::string& what) { watch.plan(what); };
@@ -176,7 +176,7 @@ EndedRun simulate_and_record(const MissionUnderWay& mission, const OutcomeOption
   constexpr double bytes_per_gb = 1e9;
   mission.record.log().limit_size(static_cast<std::uintmax_t>(options.log_max_gb * bytes_per_gb));
   const int stopped_by = simulate(simulation, mission.checkpoints, options.is_quiet);
-  for (const Fault& fault : cache_legs(mission.files.plan.file, simulation.cached_legs())) {
+  for (const Fault& fault : cache_legs(mission.files.plan.home, simulation.cached_legs())) {
     if (!options.is_quiet) print_message("{}\n", to_string(fault));
   }
   const bool can_resume = stopped_by != 0 && mission.checkpoints.is_on();

@@ -2,6 +2,8 @@
 // `branch` have in common.
 #pragma once
 
+#include <chrono>
+
 #include "lua/app/checkpoints.h"
 #include "lua/app/planning_watch.h"
 #include "lua/app/run_options.h"
@@ -19,6 +21,11 @@ struct MissionUnderWay {
   RunRecord& record;
   Checkpoints& checkpoints;
 };
+
+// Simulates a mission that was read at `options.plan`, from its start. `begin`: when the program
+// began with it. Returns the program's exit code. Throws InputError.
+int run_files(MissionFiles files, const RunOptions& options,
+              std::chrono::steady_clock::time_point begin);
 
 // The setup of a simulation that is to be run to its end; `watch` must outlive it.
 SimulationSetup run_setup(const MissionFiles& files, const OutcomeOptions& options,

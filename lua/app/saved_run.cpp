@@ -86,31 +86,17 @@ SavedRun saved_run_before(const LogReader& log, const std::string& folder, SimTi
   return last_readable(log, folder, entries, damaged);
 }
 
-namespace {
-
-// A run may come from elsewhere: it opens what lies beside a plan of the user's only where there is
-// one, of that name.
-void allow_original(const std::filesystem::path& plan) {
-  std::error_code unreadable;
-  if (!std::filesystem::is_regular_file(plan, unreadable)) return;
-  try {
-    read_plan_source(plan.string());
-    allow_beside(plan.string());
-  } catch (const InputError&) {
-    // Its rasters are then refused by name, should the run need any.
-  }
-}
-
-}  // namespace
-
 PlanSource source_of_run(const std::string& folder, const SavedMission& mission) {
   PlanSource source = read_plan_source(folder + "/plan.kml");
-  allow_beside(source.file);
+  allow_around(source);
   std::error_code unreadable;
   const auto original = std::filesystem::path(mission.plan_file);
   if (std::filesystem::is_directory(original.parent_path(), unreadable)) {
     source.file = mission.plan_file;
-    allow_original(original);
+    // A run may come from elsewhere: it opens what lies beside a plan of the user's only where
+    // there is one, of that name.
+    allow_other(original.string());
+    allow_other(home_of(source.kml, source.file));
   }
   source.soil = mission.soil;
   return source;
@@ -121,7 +107,7 @@ MissionFiles files_of_run(const std::string& folder, const SavedMission& mission
   const auto seed = parse_integer(known == mission.values.end() ? "" : known->second);
   if (!seed) throw InputError({folder}, "its checkpoint does not say which seed was run");
   const PlanSource source = source_of_run(folder, mission);
-  MissionFiles files = read_mission(source, read_catalog(source.file), *seed.value);
+  MissionFiles files = read_mission(source, read_catalog(source), *seed.value);
   if (!mission.from.empty() && !files.faults.has_errors()) begin_from(mission.from, files);
   files.faults.throw_if_errors();
   return files;

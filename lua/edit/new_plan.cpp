@@ -9,7 +9,7 @@ namespace lsos {
 
 MissionFiles read_new_plan(const std::string& bytes, const std::string& file) {
   const PlanSource source{file, parse_kml(bytes, file), "", bytes, true};
-  MissionFiles edited = read_mission(source, read_catalog(file));
+  MissionFiles edited = read_mission(source, read_catalog(source));
   if (edited.faults.has_errors()) {
     print_message("{}: is not written, as the edited plan would have faults (lines are its own):\n",
                   file);

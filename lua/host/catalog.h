@@ -49,6 +49,10 @@ class Catalog {
   AssetModel load_asset(const std::string& name, const Place& requested_at = {}) const;
   TerrainSpec load_terrain(const std::string& name, const Place& requested_at = {}) const;
   Soil load_soil(const std::string& name, const Place& requested_at = {}) const;
+  // A soil with changes that a plan makes, written as a Lua table of keys of lsos.soil. Throws
+  // InputError with faults at `requested_at` that begin with `what`.
+  Soil changed_soil(const Soil& soil, const std::string& changes, const std::string& what,
+                    const Place& requested_at) const;
 
   // All scripts that no other hides, ordered by kind and name, for the hashes of a run.
   const std::vector<Script>& scripts() const { return scripts_; }

@@ -130,6 +130,19 @@ std::vector<std::string> configurations_of(const RoverSpec& rover) {
   return names;
 }
 
+// The keys of lsos.soil that make this soil.
+std::string lua_table(const Soil& soil) {
+  std::string keys = fmt::format(
+      "is_rigid = {}, cohesion_pa = {}, friction_rad = {}, density_kgpm3 = {}, shear_modulus_x_m = "
+      "{}, shear_modulus_y_m = {}, slip_sinkage = {}",
+      soil.is_rigid, soil.cohesion_pa, soil.friction_rad, soil.density_kgpm3,
+      soil.shear_modulus_x_m, soil.shear_modulus_y_m, soil.slip_sinkage);
+  if (soil.has_bekker()) {
+    keys += fmt::format(", k_c = {}, k_phi = {}, n = {}", soil.k_c, soil.k_phi, soil.n);
+  }
+  return "{ " + keys + " }";
+}
+
 }  // namespace
 
 void Catalog::add_broken(const Script& script, const Faults& faults) {
@@ -346,6 +359,29 @@ std::set<std::string> Catalog::bases_of(const std::string& name) const {
 std::set<std::string> Catalog::required_by(ScriptKind kind, const std::string& name) const {
   const auto found = required_.find({kind, name});
   return found == required_.end() ? std::set<std::string>{} : found->second;
+}
+
+Soil Catalog::changed_soil(const Soil& soil, const std::string& changes, const std::string& what,
+                           const Place& requested_at) const {
+  Script script;
+  script.kind = ScriptKind::soil;
+  script.name = soil.name;
+  script.file = variant_file;
+  script.source = fmt::format(
+      "local lsos = require 'lsos'\nlocal soil = {}\nfor key, value in pairs({}) do soil[key] = "
+      "value end\nreturn lsos.soil(soil)",
+      lua_table(soil), changes);
+  LuaState lua(make_api);
+  Faults found;
+  std::optional<Soil> changed = load<Soil>(lua, script, soil_kind, found);
+  std::vector<Fault> reported;
+  for (const Fault& fault : found.sorted()) {
+    reported.push_back({fault.severity, requested_at, fmt::format("{}: {}", what, fault.what)});
+  }
+  if (!changed) throw InputError(std::move(reported));
+  changed->name = soil.name;
+  changed->doc = soil.doc;
+  return *changed;
 }
 
 AssetModel Catalog::load_asset(const std::string& name, const Place& requested_at) const {

@@ -102,17 +102,19 @@ int resource(lua_State* L) {
   return 1;
 }
 
-// Pushes the environment with all names that a condition can use.
-void push_names(lua_State* L, const SampleRow& row, const RoverPort& rover) {
+// Pushes the environment with all names that a condition can use. `rover`: nullptr: questions are
+// none of them.
+void push_names(lua_State* L, const SampleRow& row, const RoverPort* rover) {
   push_environment(L);
   for (const ConditionQuantity& quantity : condition_quantities()) {
     lua_pushstring(L, quantity.name);
     lua_pushnumber(L, quantity.of(row));
     lua_rawset(L, -3);
   }
+  if (rover == nullptr) return;
   const auto add = [&](const char* name, lua_CFunction function) {
     lua_pushstring(L, name);
-    lua_pushlightuserdata(L, const_cast<RoverPort*>(&rover));
+    lua_pushlightuserdata(L, const_cast<RoverPort*>(rover));
     lua_pushcclosure(L, function, 1);
     lua_rawset(L, -3);
   };
@@ -249,8 +251,10 @@ std::string condition_trial_fault(lua_State* L, const std::string& text, double 
   return call_fault(L, nullptr);
 }
 
-bool condition_holds(lua_State* L, const std::string& text, const SampleRow& row,
-                     const RoverPort& rover) {
+namespace {
+
+bool holds_with(lua_State* L, const std::string& text, const SampleRow& row,
+                const RoverPort* rover) {
   std::string fault = push_function(L, text);
   bool holds = false;
   if (fault.empty()) {
@@ -260,6 +264,17 @@ bool condition_holds(lua_State* L, const std::string& text, const SampleRow& row
   }
   if (!fault.empty()) throw std::runtime_error(fault);
   return holds;
+}
+
+}  // namespace
+
+bool condition_holds(lua_State* L, const std::string& text, const SampleRow& row,
+                     const RoverPort& rover) {
+  return holds_with(L, text, row, &rover);
+}
+
+bool condition_holds(lua_State* L, const std::string& text, const SampleRow& row) {
+  return holds_with(L, text, row, nullptr);
 }
 
 }  // namespace lsos

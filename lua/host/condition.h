@@ -25,6 +25,9 @@ std::string condition_doubt(const std::string& text, const ConditionWorld& world
 bool condition_holds(lua_State* L, const std::string& text, const SampleRow& row,
                      const RoverPort& rover);
 
+// The same of a row of a log, for a condition without questions.
+bool condition_holds(lua_State* L, const std::string& text, const SampleRow& row);
+
 // The values now of the quantities and questions that the condition names: "charge was 0.93,
 // sees('B') was false".
 std::string condition_values(const std::string& text, const SampleRow& row, const RoverPort& rover);

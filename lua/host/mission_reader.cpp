@@ -38,6 +38,12 @@ TerrainSpec read_terrain(const TerrainName& terrain, const Place& place, const C
   return raster_terrain({terrain.name}, place);
 }
 
+// Ground of a raster that the plan names itself: no script says what it is made of.
+Soil assumed_soil(const MissionInfo& mission, const Catalog& catalog) {
+  const Body& body = mission.planet == nullptr ? *find_body("Moon") : *mission.planet;
+  return catalog.load_soil(std::string(body.assumed_soil), mission.place);
+}
+
 TerrainSpec terrain_of(const MissionInfo& mission, const Catalog& catalog, MissionFiles& files) {
   TerrainSpec terrain = read_terrain(mission.terrain, mission.place, catalog);
   if (!mission.terrain_beyond.name.empty()) {
@@ -47,11 +53,18 @@ TerrainSpec terrain_of(const MissionInfo& mission, const Catalog& catalog, Missi
                                             terrain.name, beyond.name,
                                             beyond.is_synthetic ? ", which is synthetic" : ""));
   }
-  if (!terrain.soil.name.empty()) return terrain;
-  // Ground of a raster that the plan names itself: no script says what it is made of.
-  const Body& body = mission.planet == nullptr ? *find_body("Moon") : *mission.planet;
-  terrain.soil = catalog.load_soil(std::string(body.assumed_soil), mission.place);
-  files.is_soil_assumed = true;
+  if (!mission.soil.empty()) {
+    terrain.soil = catalog.load_soil(mission.soil, mission.place);
+  } else if (terrain.soil.name.empty()) {
+    terrain.soil = assumed_soil(mission, catalog);
+    files.is_soil_assumed = true;
+  }
+  if (mission.soil_variant.empty()) return terrain;
+  const std::string what = "MissionInfo: SoilVariant";
+  const Parsed<std::string> changes = variant_table(mission.soil_variant);
+  if (!changes) throw InputError(mission.place, fmt::format("{}: {}", what, changes.why));
+  terrain.soil = catalog.changed_soil(terrain.soil, *changes.value, what, mission.place);
+  terrain.soil.name += " with " + mission.soil_variant;
   return terrain;
 }
 
@@ -66,9 +79,30 @@ void allow_beside(const std::string& plan_file) {
   allow_folder(std::filesystem::path(plan_file).parent_path().string());
 }
 
+void allow_other(const std::string& plan_file) {
+  std::error_code unreadable;
+  if (!std::filesystem::is_regular_file(plan_file, unreadable)) return;
+  try {
+    read_plan_source(plan_file);
+    allow_beside(plan_file);
+  } catch (const InputError&) {
+    // Its rasters are then refused by name, should the mission need any.
+  }
+}
+
+void allow_around(const PlanSource& source) {
+  allow_beside(source.file);
+  const std::string home = home_of(source.kml, source.file);
+  if (home != source.file) allow_other(home);
+}
+
 std::shared_ptr<const Catalog> read_catalog(const std::string& plan_file) {
   if (plan_file.empty()) allow_folder(".");  // where its scripts are found
   return std::make_shared<const Catalog>(script_folders(plan_file));
+}
+
+std::shared_ptr<const Catalog> read_catalog(const PlanSource& source) {
+  return read_catalog(source.is_file ? home_of(source.kml, source.file) : "");
 }
 
 namespace {
@@ -161,17 +195,18 @@ void read_models(MissionFiles& files) {
 
 MissionFiles read_mission(const std::string& plan_file, std::optional<std::uint64_t> seed) {
   MissionFiles files;
-  files.catalog = read_catalog(plan_file);
-  files.plan.file = plan_file;
+  files.plan.file = files.plan.home = plan_file;
   // The file is read once: a pipe cannot be read again, and a file may change.
   try {
     const PlanSource source = read_plan_source(plan_file);
-    allow_beside(plan_file);
+    allow_around(source);
+    files.catalog = read_catalog(source);
     files.plan_bytes = source.bytes;
     files.plan = read_plan(plan_file, source.kml, files.catalog->declarations(), files.faults);
   } catch (const InputError& error) {
     files.faults.add(error.faults());
   }
+  if (files.catalog == nullptr) files.catalog = read_catalog(plan_file);
   if (seed) files.plan.mission.seed = *seed;
   read_models(files);
   check_for_events(files.plan, files.faults);
@@ -218,7 +253,7 @@ SimulationSetup simulation_setup(const MissionFiles& files) {
       rover.heading_rad = start->second.heading_rad;
     }
   }
-  setup.cached_legs = read_cached_legs(files.plan.file);
+  setup.cached_legs = read_cached_legs(files.plan.home);
   setup.make_host = [catalog = files.catalog] { return std::make_unique<LuaHost>(*catalog); };
   return setup;
 }

@@ -32,8 +32,14 @@ struct PlanSource {
   std::string bytes;    // the plan as a KML or KMZ file
   bool is_file = true;  // scripts are found beside `file`; else as for any plan
 };
+// Allows what lies beside a plan that another file names, where there is one.
+void allow_other(const std::string& plan_file);
+// Rasters beside it, and beside the plan that it is a case of, may be read from now on.
+void allow_around(const PlanSource& source);
 // Throws InputError.
 PlanSource read_plan_source(const std::string& plan_file);
+// Catalog of the scripts that it can use.
+std::shared_ptr<const Catalog> read_catalog(const PlanSource& source);
 MissionFiles read_mission(const PlanSource& source, std::shared_ptr<const Catalog> catalog,
                           std::optional<std::uint64_t> seed = {});
 

@@ -35,9 +35,10 @@ MissionFiles files_of_run(const std::string& folder,
     if (std::filesystem::is_regular_file(original, unreadable)) {
       // The run may come from elsewhere: what lies beside that plan is read where it is the same.
       try {
-        MissionFiles files = read_mission(read_plan_source(original), read_catalog(original), seed);
+        const PlanSource source = read_plan_source(original);
+        MissionFiles files = read_mission(source, read_catalog(source), seed);
         if (!files.faults.has_errors() && files.plan.hash() == run.at("plan_sha256")) {
-          allow_beside(original);
+          allow_around(source);
           return files;
         }
       } catch (const InputError&) {

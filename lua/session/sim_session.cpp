@@ -220,7 +220,7 @@ std::int64_t SimSession::dispatch(const std::string& rover_id, SourcePlacemark p
 }
 
 void SimSession::reload() {
-  continue_with(files_with(source_.soil, read_catalog(source_.is_file ? source_.file : "")), true);
+  continue_with(files_with(source_.soil, read_catalog(source_)), true);
 }
 
 void SimSession::set_soil(const std::string& name) {

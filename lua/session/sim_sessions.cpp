@@ -58,8 +58,9 @@ SimSession& SimSessions::at(ScriptInstance number) {
 
 ScriptInstance SimSessions::open(const std::string& plan_file) {
   PlanSource source = read_plan_source(plan_file);
-  allow_beside(plan_file);
-  return add(std::move(source), read_catalog(plan_file));
+  allow_around(source);
+  std::shared_ptr<const Catalog> catalog = read_catalog(source);
+  return add(std::move(source), std::move(catalog));
 }
 
 ScriptInstance SimSessions::open(lua_State* L, int table, const Place& place) {

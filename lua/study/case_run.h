@@ -1,0 +1,27 @@
+// One case of a study, run in this process.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "lua/study/study_files.h"
+
+namespace lsos {
+
+// How a case has ended in this process.
+enum class CaseEnd {
+  done,      // its folder is complete, whatever became of its mission
+  stopped,   // by a signal, with a checkpoint from which it goes on
+  not_run,   // its plan has faults, or the program failed; the mark says why
+  machine,   // a full disk, too little memory; the mark says why, and the next sweep tries again
+  elsewhere  // another process runs it
+};
+
+// Runs a case to its end, or goes on with it where another process was stopped or killed. The case
+// is made in a folder NNNNNN.part, which is renamed once all is in it. `threads`: of this case.
+CaseEnd run_case(const StudyFiles& files, std::int64_t number, const std::string& study_folder,
+                 int threads);
+
+bool is_done(const std::string& study_folder, std::int64_t number);
+
+}  // namespace lsos

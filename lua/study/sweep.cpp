@@ -1,0 +1,190 @@
+#include "lua/study/sweep.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <thread>
+
+#include "base/console.h"
+#include "base/error.h"
+#include "base/files.h"
+#include "base/quantity.h"
+#include "lua/app/progress.h"
+#include "lua/app/run_to_end.h"
+#include "lua/study/case_run.h"
+#include "lua/study/dry_run.h"
+#include "lua/study/gather_request.h"
+#include "lua/study/pool.h"
+#include "lua/study/study_files.h"
+#include "lua/study/study_record.h"
+#include "lua/study/sweep_state.h"
+#include "product/study/case_record.h"
+
+namespace lsos {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::size_t processors() { return std::max(1u, std::thread::hardware_concurrency()); }
+
+void tell_warnings(const StudyFiles& files) {
+  for (const Fault& fault : files.base.faults.sorted()) print_message("{}\n", to_string(fault));
+}
+
+// Those that are to be run now.
+std::vector<std::int64_t> open_cases(std::vector<std::int64_t> numbers, const SweepOptions& options,
+                                     const std::string& folder) {
+  std::erase_if(numbers, [&](std::int64_t number) {
+    if (is_done(folder, number)) return true;
+    const std::string mark = not_run_file(folder, number);
+    if (!fs::exists(mark)) return false;
+    if (options.retry.empty()) return true;
+    fs::remove(mark);
+    return false;
+  });
+  return numbers;
+}
+
+// What a sweep tells while it goes on.
+class SweepNews {
+ public:
+  SweepNews(const std::string& folder, SweepState state, std::size_t jobs, bool is_quiet)
+      : folder_(folder), state_(std::move(state)), jobs_(jobs), progress_(is_quiet) {}
+
+  void end(std::int64_t number, const ChildProcess::Ending& ending) {
+    const std::string file = case_folder(folder_, number) + "/" + case_file;
+    if (const auto record = read_case_record(read_file(file).value_or(""))) {
+      state_.add(record->status, record->wall_s);
+      return;
+    }
+    const auto mark = read_case_record(read_file(not_run_file(folder_, number)).value_or(""));
+    const bool is_stopped = ending.code == static_cast<int>(CaseEnd::stopped);
+    if (is_stopped) return;
+    ++state_.not_run;
+    progress_.finish();
+    if (mark && ending.code == static_cast<int>(CaseEnd::machine)) {
+      print_message("case {} was not finished: {}; the next sweep goes on with it\n", number,
+                    mark->reason);
+      fs::remove(not_run_file(folder_, number));
+    } else if (mark) {
+      print_message("case {} could not be run: {}\n", number, mark->reason);
+    } else if (ending.code == static_cast<int>(CaseEnd::elsewhere)) {
+      print_message("case {} is run by another process\n", number);
+    } else {
+      print_message("case {} was ended by {} {}; the next sweep goes on with it\n", number,
+                    ending.signal ? "signal" : "exit code",
+                    ending.signal ? *ending.signal : ending.code.value_or(-1));
+    }
+  }
+
+  void turn(std::size_t running) {
+    if (!progress_.is_due()) return;
+    const double share = static_cast<double>(state_.cases - state_.missing()) /
+                         static_cast<double>(std::max<std::int64_t>(1, state_.cases));
+    progress_.show_state(share, fmt::format("{}, {} running", to_text(state_), running),
+                         state_.left_s(jobs_));
+  }
+
+  void finish() { progress_.finish(); }
+
+ private:
+  const std::string& folder_;
+  SweepState state_;
+  std::size_t jobs_;
+  Progress progress_;
+};
+
+// Whether those of the cases that were asked for are done.
+bool are_done(const std::vector<std::int64_t>& numbers, const std::string& folder) {
+  return std::ranges::all_of(numbers, [&](std::int64_t number) { return is_done(folder, number); });
+}
+
+}  // namespace
+
+std::string study_folder(const SweepOptions& options) {
+  if (!options.folder.empty()) return options.folder;
+  return (fs::path("out") / fs::path(options.study).stem()).string();
+}
+
+std::vector<std::int64_t> listed_cases(const std::string& text, std::int64_t cases) {
+  std::set<std::int64_t> numbers;
+  if (text.empty()) {
+    for (std::int64_t number = 1; number <= cases; ++number) numbers.insert(number);
+  }
+  std::size_t from = 0;
+  while (!text.empty() && from <= text.size()) {
+    const std::size_t comma = std::min(text.find(',', from), text.size());
+    const std::string part = text.substr(from, comma - from);
+    from = comma + 1;
+    const std::size_t dash = part.find('-');
+    const Parsed<std::int64_t> first = parse_integer(part.substr(0, dash));
+    const Parsed<std::int64_t> last =
+        dash == std::string::npos ? first : parse_integer(part.substr(dash + 1));
+    if (!first || !last || *first.value < 1 || *last.value < *first.value || *last.value > cases) {
+      throw InputError({},
+                       fmt::format("--cases {}: numbers from 1 to {} are wanted, as in 40-59 or "
+                                   "3,7,12-15",
+                                   text, cases));
+    }
+    for (std::int64_t number = *first.value; number <= *last.value; ++number) {
+      numbers.insert(number);
+    }
+  }
+  return {numbers.begin(), numbers.end()};
+}
+
+int sweep(const SweepOptions& options) {
+  const StudyFiles files = read_study(options.study);
+  if (!options.is_quiet) tell_warnings(files);
+  const std::string folder = study_folder(options);
+  const auto jobs = options.jobs > 0 ? static_cast<std::size_t>(options.jobs) : processors();
+  const std::vector<std::int64_t> wanted = listed_cases(options.cases, files.cases);
+  if (options.is_dry) return dry_run(files, wanted, jobs, options);
+  open_study_folder(files, folder);
+  const std::vector<std::int64_t> numbers = open_cases(wanted, options, folder);
+  const int threads =
+      options.threads > 0 ? options.threads : std::max(1, static_cast<int>(processors() / jobs));
+  SweepNews news(folder, sweep_state(folder, files.cases), jobs, options.is_quiet);
+  Pool pool(jobs, [&](std::int64_t number) {
+    catch_stop_signals();
+    return static_cast<int>(run_case(files, number, folder, threads));
+  });
+  const int signal = pool.run(
+      numbers, [&](std::int64_t number, const auto& ending) { news.end(number, ending); },
+      [&] { news.turn(pool.running()); });
+  news.finish();
+  if (signal != 0) {
+    print_message("stopped: the same command goes on\n");
+    return 128 + signal;
+  }
+  if (options.verb != "run") gather(gather_request(files, folder));
+  const SweepState state = sweep_state(folder, files.cases);
+  print_result("{}", options.is_json ? to_json(state) : to_text(state) + "\n");
+  if (!options.is_json) print_result("results in {}\n", folder);
+  return are_done(wanted, folder) ? 0 : 1;
+}
+
+int sweep_status(const SweepOptions& options) {
+  const std::string folder = study_folder(options);
+  const SweepState state = sweep_state(folder, cases_of_folder(folder));
+  print_result("{}", options.is_json ? to_json(state) : to_text(state) + "\n");
+  return 0;
+}
+
+int sweep_gather(const SweepOptions& options) {
+  const StudyFiles files = read_study(options.study);
+  const std::string folder = study_folder(options);
+  check_study_folder(files, folder);
+  const Gathered gathered = gather(gather_request(files, folder));
+  if (options.is_json) {
+    print_result("{}", to_json(sweep_state(folder, files.cases)));
+    return 0;
+  }
+  print_result("{} of {} cases in {}/{}\n", gathered.cases, files.cases, folder, study_table);
+  return 0;
+}
+
+}  // namespace lsos

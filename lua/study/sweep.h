@@ -1,0 +1,25 @@
+// Runs a study on the processors of this machine.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "lua/study/sweep_options.h"
+
+namespace lsos {
+
+// Return the program's exit code: 0 when all cases that are asked for have run, whatever became of
+// their missions, 1 when one could not be run, 130 or 143 when a signal stopped it. Throw
+// InputError.
+int sweep(const SweepOptions& options);
+int sweep_status(const SweepOptions& options);
+int sweep_gather(const SweepOptions& options);
+
+// "out/STUDY-NAME" for "some/where/STUDY-NAME.lua", where no folder is named.
+std::string study_folder(const SweepOptions& options);
+
+// "40-59,71" as numbers in ascending order, each once. Throws InputError beyond 1..cases.
+std::vector<std::int64_t> listed_cases(const std::string& text, std::int64_t cases);
+
+}  // namespace lsos
