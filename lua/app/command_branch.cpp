@@ -61,8 +61,7 @@ PlanSource revised_source(const BranchOptions& options, const MissionFiles& trun
                           const EventReferences& begun) {
   PlanSource source = read_plan_source(options.plan);
   allow_beside(options.plan);
-  const MissionFiles files =
-      read_mission(source, read_catalog(source), trunk.plan.mission.seed);
+  const MissionFiles files = read_mission(source, read_catalog(source), trunk.plan.mission.seed);
   files.faults.throw_if_errors();
   const auto numbers = renumbered_events(trunk.plan, begun, files.plan);
   if (numbers.empty()) return source;

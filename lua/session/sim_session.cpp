@@ -219,9 +219,7 @@ std::int64_t SimSession::dispatch(const std::string& rover_id, SourcePlacemark p
   return event.sequence;
 }
 
-void SimSession::reload() {
-  continue_with(files_with(source_.soil, read_catalog(source_)), true);
-}
+void SimSession::reload() { continue_with(files_with(source_.soil, read_catalog(source_)), true); }
 
 void SimSession::set_soil(const std::string& name) {
   continue_with(files_with(name, files_.catalog), false);

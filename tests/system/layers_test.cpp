@@ -14,9 +14,9 @@ namespace {
 
 // A folder includes itself and folders on lower layers, never a neighbour.
 const std::map<std::string, int> layers = {
-    {"base", 0},    {"access", 1}, {"planet", 1},      {"driving", 1}, {"terrain", 2},
-    {"vehicle", 3}, {"view", 3},   {"power", 3},       {"route", 3},   {"plan", 3},
-    {"record", 3},  {"edit", 4},   {"interchange", 4}, {"mission", 4}, {"picture", 5},
+    {"base", 0},    {"access", 1},  {"planet", 1},      {"driving", 1}, {"terrain", 2},
+    {"vehicle", 3}, {"view", 3},    {"power", 3},       {"route", 3},   {"plan", 3},
+    {"record", 3},  {"edit", 4},    {"interchange", 4}, {"mission", 4}, {"picture", 5},
     {"study", 5},   {"product", 6}, {"lua", 7},
 };
 

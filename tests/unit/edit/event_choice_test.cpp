@@ -50,8 +50,7 @@ TEST(EventChoice, says_what_there_is_none_of) {
                                                  "10, 20, 30"));
   EXPECT_THAT(fault(ranges({"A"})), HasSubstr("ROVER/SEQUENCE or ROVER/FIRST..LAST is wanted"));
   EXPECT_THAT(fault(ranges({"A/30..20"})), HasSubstr("ROVER/FIRST..LAST is wanted"));
-  EXPECT_THAT(fault(ranges({"C/10"})),
-              HasSubstr("'C/10': the plan has no rover 'C'; there are A"));
+  EXPECT_THAT(fault(ranges({"C/10"})), HasSubstr("'C/10': the plan has no rover 'C'; there are A"));
   EXPECT_THAT(fault({{}, "", "evas", ""}), HasSubstr("no event 'evas'; did you mean 'eva'?"));
   EXPECT_THAT(fault({{}, "", "", "Rout"}), HasSubstr("type 'Rout'; did you mean 'Route'?"));
   EXPECT_THAT(fault({{}, "", "", "", 3, 4}), HasSubstr("it has 5 events on 2 days"));
