@@ -128,7 +128,7 @@ struct PlanGaps {
   bool asset_ids = false;                 // the id of an asset cannot be read
   std::set<std::string> unread_ids;       // of rovers and assets whose Placemark cannot be read
   std::set<std::string> unplaced_rovers;  // ids of rovers whose Point cannot be read
-  // By RoverId the first Sequence from which it is open where the rover drives.
+  // The first Sequence from which it is open where a rover drives; key: RoverId.
   std::map<std::string, std::int64_t> open_drives;
   bool drives_of_any = false;  // a drive belongs to a rover that cannot be told
 

@@ -247,10 +247,11 @@ TEST(EstimateWarnings, leave_out_routes_that_other_faults_leave_open) {
                          route(rover, 1, speed), route("B", 2, "3 km/h")}));
     return run({"check", plan, "--quiet"}).out;
   };
-  const std::string of_a = "'PathPlanRoute 2': the goal is on a slope of 10 degrees";
+  const std::string of_a =
+      "'PathPlanRoute 2': the leg to waypoint 1: the goal is on a slope of 10 degrees";
   const std::string out = check("B", "fast");
   EXPECT_THAT(out, HasSubstr("Duration = -1"));
-  EXPECT_THAT(out, HasSubstr("Speed = fast"));
+  EXPECT_THAT(out, HasSubstr("Speed = 'fast'"));
   EXPECT_THAT(out, HasSubstr(of_a));
   // B's second leg begins where its first ends, whose Speed is not known.
   EXPECT_EQ(out.find(of_a), out.rfind(of_a)) << out;
