@@ -114,10 +114,14 @@ void set_utc(OGRFeature& feature, int field, const std::string& text) {
 }  // namespace
 
 Dataset create(const std::string& file) {
-  GDALDriver* driver = geopackage_driver();
-  if (driver == nullptr) return nullptr;
   allow_file(file);
   const WriteAheadLog settings;  // before the file exists
+  return create_at(file);
+}
+
+Dataset create_at(const std::string& file) {
+  GDALDriver* driver = geopackage_driver();
+  if (driver == nullptr) return nullptr;
   CPLStringList options;
   // GDAL writes its table of row counts only on closing: other readers would find wrong counts.
   options.SetNameValue("ADD_GPKG_OGR_CONTENTS", "NO");

@@ -40,6 +40,9 @@ using Feature = std::unique_ptr<OGRFeature>;
 
 // Creates a file in WAL mode; nullptr when that fails (`file` exists, no space).
 Dataset create(const std::string& file);
+// The same without write-ahead logging, also in GDAL's memory: what is written there is read only
+// once it is whole.
+Dataset create_at(const std::string& file);
 // To write more into a log, in WAL mode; nullptr when the file is no GeoPackage.
 Dataset open_to_write(const std::string& file);
 

@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
-
+#include "access/memory_file.h"
 #include "base/files.h"
 #include "base/output_error.h"
 #include "record/gpkg.h"
@@ -11,7 +10,8 @@
 namespace lsos {
 
 struct TableFile::Impl {
-  std::string file, part;
+  std::string file;
+  MemoryFile made{"tables.gpkg"};
   OGRSpatialReference crs;
   gpkg::Dataset dataset;
   OGRLayer* layer = nullptr;
@@ -27,12 +27,10 @@ struct TableFile::Impl {
 TableFile::TableFile(const std::string& file, const std::string& crs)
     : impl_(std::make_unique<Impl>()) {
   impl_->file = file;
-  impl_->part = file + std::string(part_suffix);
-  for (const char* more : {"", "-wal", "-shm"}) std::remove((impl_->part + more).c_str());
   const gpkg::QuietErrors errors;
   impl_->crs.SetFromUserInput(crs.c_str());
   impl_->crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-  impl_->dataset = gpkg::create(impl_->part);
+  impl_->dataset = gpkg::create_at(impl_->made.name());
   if (!impl_->dataset || impl_->dataset->StartTransaction() != OGRERR_NONE) impl_->fail(errors);
 }
 
@@ -40,7 +38,6 @@ TableFile::~TableFile() {
   if (impl_->dataset == nullptr) return;
   impl_->feature.reset();
   impl_->dataset.reset();
-  for (const char* more : {"", "-wal", "-shm"}) std::remove((impl_->part + more).c_str());
 }
 
 void TableFile::begin(const TableLayer& layer) {
@@ -70,9 +67,8 @@ void TableFile::finish() {
   impl_->feature.reset();
   if (impl_->dataset->CommitTransaction() != OGRERR_NONE) impl_->fail(errors);
   impl_->dataset.reset();
-  if (errors.has_failed() || std::rename(impl_->part.c_str(), impl_->file.c_str()) != 0) {
-    throw OutputError(fmt::format("{}: {}", impl_->file, errors.message()));
-  }
+  if (errors.has_failed()) throw OutputError(fmt::format("{}: {}", impl_->file, errors.message()));
+  write_file(impl_->file, impl_->made.bytes());
 }
 
 }  // namespace lsos
