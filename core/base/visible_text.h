@@ -1,15 +1,10 @@
 // Text of plans, files and scripts as a terminal may show it.
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <string_view>
 
 namespace lsos {
-
-// Length of the well-formed UTF-8 character at the start of `text`, which is not empty; 0: the
-// first byte begins none.
-std::size_t utf8_length(std::string_view text);
 
 // The text with what a terminal would obey, or show as nothing, written out: control characters
 // but line feeds and tabs, marks that change the direction of writing, and characters without

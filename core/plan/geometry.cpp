@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "base/utf8.h"
 #include "plan/far_places.h"
 #include "plan/polygon_rings.h"
 #include "plan/suggestions.h"
@@ -121,7 +122,7 @@ std::vector<Geodetic> read_tuples(const std::string& coordinates, int line,
     const std::string what = read_tuple(tuple, places.emplace_back());
     if (what.empty()) continue;
     wrong.push_back({fmt::format("coordinates '{}': {}",
-                                 tuple.size() > 80 ? tuple.substr(0, 80) + "..." : tuple, what),
+                                 tuple.size() > 80 ? beginning(tuple, 80) + "..." : tuple, what),
                      tuples.line()});
     break;
   }

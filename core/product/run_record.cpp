@@ -172,6 +172,10 @@ RunSummary RunRecord::finish(const MissionModel& files, const Simulation& simula
       warn(warning);
     }
   }
+  if (const std::string lost = log_.lost_numbers(); !lost.empty()) {
+    summary.warnings.push_back(lost);
+    warn(lost);
+  }
   // Checkpoints go only once the summary is there: a kill or a full disk before leaves a run that
   // can go on.
   log_.commit();

@@ -56,23 +56,37 @@ bool is_unfinished(const EventRow& event) {
          event.status == EventStatus::running;
 }
 
-// A value without parts; a number only where a text and a time can be made of it, as a summary may
-// come from anyone.
-bool is_scalar(const Json& value) {
-  constexpr double number_max = 9e12;  // as from_seconds() takes it
-  if (value.is_number()) return std::abs(value.get<double>()) <= number_max;
-  return value.is_primitive();
+// Whether a number can be made a time, as a summary may come from anyone.
+bool is_time(const Json& value) {
+  constexpr double time_max_s = 9e12;  // as from_seconds() takes it
+  return value.is_number() && std::abs(value.get<double>()) <= time_max_s;
+}
+
+// Whether all values of an object have no parts, and what is named as a time can be one.
+bool has_scalars(const Json& object) {
+  if (!object.is_object()) return false;
+  for (const auto& [key, value] : object.items()) {
+    if (!value.is_primitive()) return false;
+    if (value.is_number() && key.ends_with("_s") && !is_time(value)) return false;
+  }
+  return true;
 }
 
 bool is_rover(const Json& rover) {
-  return rover.is_object() && std::ranges::all_of(rover, [](const Json& value) {
-           return is_scalar(value) ||
-                  (value.is_object() && std::ranges::all_of(value, is_scalar));  // resources
-         });
+  if (!rover.is_object()) return false;
+  Json others = rover;
+  const auto resources = rover.find("resources");
+  if (resources != rover.end() && resources->is_object()) {
+    // Their names may end as those of times do.
+    if (!std::ranges::all_of(*resources, [](const Json& amount) { return amount.is_primitive(); }))
+      return false;
+    others.erase("resources");
+  }
+  return has_scalars(others);
 }
 
 bool is_event(const Json& event) {
-  if (!event.is_object() || !std::ranges::all_of(event, is_scalar)) return false;
+  if (!has_scalars(event)) return false;
   const auto is = [&](const char* key, auto type) {
     return event.contains(key) && (event[key].*type)();
   };
@@ -156,7 +170,7 @@ bool is_summary(std::string_view json) {
   const auto are_texts = [&](const Json& list) { return is_list_of(list, is_text); };
   return has("program", [](const Json& name) { return name == program; }) &&
          has("log_sha256", is_text) && has("status", is_text) && has("plan", is_text) &&
-         has("sim_s", is_scalar) && has("warnings", are_texts) && has("assumptions", are_texts) &&
+         has("sim_s", is_time) && has("warnings", are_texts) && has("assumptions", are_texts) &&
          has("rovers",
              [](const Json& rovers) {
                return rovers.is_object() && std::ranges::all_of(rovers, is_rover);

@@ -5,16 +5,15 @@
 #include <algorithm>
 #include <map>
 
+#include "base/utf8.h"
+
 namespace lsos {
 
 namespace {
 
-// The first bytes of a text, cut before a character.
-std::string beginning(const std::string& text, std::size_t bytes_max) {
-  if (text.size() <= bytes_max) return text;
-  std::size_t end = bytes_max;
-  while (end > 0 && (text[end] & 0xc0) == 0x80) --end;
-  return text.substr(0, end) + "...";
+// The text, or its first bytes and dots.
+std::string shortened(const std::string& text, std::size_t bytes_max) {
+  return text.size() <= bytes_max ? text : beginning(text, bytes_max) + "...";
 }
 
 }  // namespace
@@ -59,7 +58,7 @@ ThinnedNotes thinned_notes(const LogReader& log, std::size_t most) {
     }
     if (!choice->takes_next()) return;
     NoteRow& kept = notes.rows.emplace_back(row);
-    kept.name = beginning(row.name, shown_note_name_bytes_max);
+    kept.name = shortened(row.name, shown_note_name_bytes_max);
     if (kept.fields_json.size() > shown_note_bytes_max) {
       kept.fields_json =
           fmt::format("{{\"left_out\":\"{} bytes; log.gpkg has them\"}}", row.fields_json.size());

@@ -195,8 +195,8 @@ void write_branch(GDALDataset& dataset, const BranchOrigin& origin) {
           "TEXT NOT NULL, log_sha256 TEXT NOT NULL, time_us INTEGER NOT NULL, changes "
           "TEXT NOT NULL)");
   run_sql(dataset, fmt::format("INSERT OR REPLACE INTO lsos_branch VALUES (1, {}, {}, {}, {})",
-                               quoted(origin.folder), quoted(origin.log_sha256),
-                               origin.time.count(), quoted(origin.changes)));
+                               quoted(utf8_text(origin.folder)), quoted(origin.log_sha256),
+                               origin.time.count(), quoted(utf8_text(origin.changes))));
 }
 
 std::optional<BranchOrigin> read_branch(const sqlite::Database& database) {

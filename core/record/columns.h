@@ -23,7 +23,8 @@ using ColumnValue = std::variant<std::monostate, std::int64_t, double, std::stri
 // The latest time in a log, s after the mission's start: far beyond the longest mission.
 inline constexpr double time_max_s = 1e9;
 
-// What a column may hold. A log may come from anyone, and is held to it when it is read.
+// What a column may hold. Rows are held to it when they are written (stored_value.h); and, as a log
+// may come from anyone, when they are read.
 struct ColumnLimits {
   double least = -1e20, greatest = 1e20;      // of numbers
   bool is_required = false;                   // never NULL

@@ -15,6 +15,7 @@
 #include "access/gdal_access.h"
 #include "base/error.h"
 #include "record/sqlite.h"
+#include "record/stored_value.h"
 
 namespace lsos::gpkg {
 
@@ -207,7 +208,7 @@ void set_value(OGRFeature& feature, int field, const ColumnValue& value) {
 }
 
 void set_point(OGRFeature& feature, const std::optional<Geodetic>& place) {
-  if (!place) {
+  if (!place || !is_place(lon_deg(*place), lat_deg(*place), place->height_m)) {
     feature.SetGeometryDirectly(nullptr);
     return;
   }

@@ -68,6 +68,7 @@ void add_titles(GDALDataset& dataset);
 // In a field of date and time the value is a text like "2026-07-01T00:00:00.000Z".
 void set_value(OGRFeature& feature, int field, const ColumnValue& value);
 
+// No point where there is no place, or numbers that are none.
 void set_point(OGRFeature& feature, const std::optional<Geodetic>& place);
 void set_line(OGRFeature& feature, const std::vector<Geodetic>& line);
 

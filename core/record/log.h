@@ -64,6 +64,9 @@ class LogWriter {
   // Styles are not part of the digest.
   void write_styles(const std::vector<LayerStyle>& styles);
 
+  // What numbers were too large for their column, or not finite, and are NULL in the log; "": none.
+  std::string lost_numbers() const;
+
   // From now on a commit with which the file takes more than that throws LogError.
   void limit_size(std::uintmax_t bytes);
 

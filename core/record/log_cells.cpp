@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <cstring>
 
 #include "base/error.h"
 #include "base/utf8.h"
 #include "record/json_text.h"
+#include "record/stored_value.h"
 
 namespace lsos {
 
@@ -34,7 +34,7 @@ bool has_form(std::string_view text, std::string_view pattern) {
   });
 }
 
-std::string_view shown(std::string_view text) { return text.substr(0, shown_bytes); }
+std::string shown(std::string_view text) { return beginning(text, shown_bytes); }
 
 const char* words_for(ColumnType type) {
   switch (type) {
@@ -123,7 +123,7 @@ void LayerRows::refuse(std::string_view column, const std::string& what) const {
 
 void LayerRows::check_number(const ColumnSpec& column, double number) const {
   const ColumnLimits& limits = column.limits;
-  if (number >= limits.least && number <= limits.greatest) return;
+  if (is_within(limits, number)) return;
   refuse(column.name, fmt::format("= {}: a number from {} to {} is allowed", number, limits.least,
                                   limits.greatest));
 }
@@ -197,17 +197,12 @@ std::vector<Geodetic> LayerRows::places() const {
   const std::string_view bytes = wkb();
   if (bytes.empty()) return places;
   const WkbPlaces found = *wkb_places(bytes, layer_.geometry);
-  constexpr double height_max_m = 1e9;
-  constexpr double rounding_deg = 1e-9;
   for (std::size_t k = 0; k < found.count; ++k) {
     const std::size_t at = found.begin + k * wkb_place_bytes;
     const auto lon_deg = little_endian<double>(bytes, at);
     const auto lat_deg = little_endian<double>(bytes, at + 8);
     const auto height_m = little_endian<double>(bytes, at + 16);
-    const bool is_place = std::abs(lon_deg) <= 180 + rounding_deg &&
-                          std::abs(lat_deg) <= 90 + rounding_deg &&
-                          std::abs(height_m) <= height_max_m;
-    if (!is_place) {
+    if (!is_place(lon_deg, lat_deg, height_m)) {
       refuse(geometry_column,
              fmt::format("lies at {},{},{}: that is no place", lon_deg, lat_deg, height_m));
     }

@@ -299,6 +299,18 @@ void LogWriter::commit_if_due() {
   if (Clock::now() - impl_->last_commit >= commit_period) commit();
 }
 
+std::string LogWriter::lost_numbers() const {
+  gpkg::LostNumbers all;
+  impl_->for_each_layer([&](const auto& layer) {
+    if (all.count == 0) all.first = layer.lost().first;
+    all.count += layer.lost().count;
+  });
+  if (all.count == 0) return "";
+  return fmt::format(
+      "{}: {}: too large for the log, which has NULL there; the same holds for {} numbers in all",
+      impl_->file, all.first, all.count);
+}
+
 void LogWriter::limit_size(std::uintmax_t bytes) { impl_->bytes_max = bytes; }
 
 void LogWriter::commit() {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "base/utf8.h"
 #include "lua/api/arguments.h"
 #include "lua/runtime/constructed_value.h"
 #include "lua/runtime/state.h"
@@ -51,7 +52,7 @@ std::string formatted(lua_State* L) {
 
 int answer_fail(lua_State* L) {
   constexpr std::size_t reason_bytes_max = 4000;
-  push_answer(L, Fail{formatted(L).substr(0, reason_bytes_max)});
+  push_answer(L, Fail{beginning(formatted(L), reason_bytes_max)});
   return 1;
 }
 

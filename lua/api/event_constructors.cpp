@@ -23,7 +23,8 @@ void for_each_text_key(TableReader& t, const char* table_name, F&& body) {
       t.fault(fmt::format("{}: entries have names, found [{}]", table_name, lua_tonumber(L, -1)));
       continue;
     }
-    const std::string key = lua_tostring(L, -1);
+    const std::string key = text_at(L, -1);
+    if (!t.check_name(table_name, key)) continue;
     lua_pushvalue(L, -1);
     lua_rawget(L, -4);
     body(key);

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "base/utf8.h"
 #include "lua/api/answer.h"
 #include "lua/runtime/handle.h"
 #include "lua/runtime/json.h"
@@ -71,7 +72,7 @@ int log(lua_State* L) {
 int warn(lua_State* L) {
   const EventCall& call = call_of(L);
   lua_remove(L, 1);
-  const std::string text = formatted(L).substr(0, warning_bytes_max);
+  const std::string text = beginning(formatted(L), warning_bytes_max);
   write_note(L, call, "warning", fmt::format(R"({{"text":{}}})", note_json(text)));
   call.phase.rover.warn(fmt::format("{} of {}: {}", call.phase.label, call.phase.rover_id, text));
   return 0;

@@ -14,9 +14,13 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr Range above_none_to_one{0, 1, true};
+// More than any mission has; the log holds their sums over the longest one.
+constexpr Range some_energy_j{0, 1e16, true};
+constexpr Range power_w{0, 1e9};
+constexpr Range amount_range{0, 1e16};
 
 void read_battery(TableReader& t, BatterySpec& battery) {
-  t.number(required, "capacity_j", battery.capacity_j, positive, "From empty to full.");
+  t.number(required, "capacity_j", battery.capacity_j, some_energy_j, "From empty to full.");
   t.number(optional, "charge_efficiency", battery.charge_efficiency, above_none_to_one,
            "Of what goes in, the share that is kept (default 1).");
   t.number(optional, "discharge_efficiency", battery.discharge_efficiency, above_none_to_one,
@@ -73,13 +77,13 @@ void read_panel(TableReader& t, PanelSpec& panel) {
               panel.elevation, "How far it tips, above the deck (default: it does not).");
   t.number(optional, "rate_radps", panel.rate_radps, positive,
            "How fast it turns; required when it does.");
-  t.number(optional, "motor_w", panel.motor_w, not_negative, "While it turns (default 0).");
+  t.number(optional, "motor_w", panel.motor_w, power_w, "While it turns (default 0).");
   t.boolean(optional, "stowable", panel.is_stowable,
             "DeploySP and StowSP put it up and down (default false).");
   t.boolean(optional, "stowed", panel.is_stowed, "At the start (default false).");
   t.number(optional, "deploy_s", panel.deploy_s, not_negative,
            "How long that takes when an event does not say (default 0).");
-  t.number(optional, "deploy_w", panel.deploy_w, not_negative, "Meanwhile (default 0).");
+  t.number(optional, "deploy_w", panel.deploy_w, power_w, "Meanwhile (default 0).");
   if (t.L() == nullptr) return;
   if (panel.can_turn() && panel.rate_radps <= 0) {
     t.fault("rate_radps is missing: a panel that turns has one");
@@ -95,7 +99,7 @@ void read_load(TableReader& t, LoadSpec& load) {
                                                           {"parked", LoadState::parked},
                                                           {"driving", LoadState::driving}};
   t.text(required, "name", load.name, "For readers.");
-  t.number(required, "power_w", load.power_w, not_negative, "While it is on.");
+  t.number(required, "power_w", load.power_w, power_w, "While it is on.");
   t.word(optional, "when", states, load.when,
          "'always', 'dark' (no sunlight falls on the rover), 'parked' or 'driving' (default "
          "'always').");
@@ -104,7 +108,7 @@ void read_load(TableReader& t, LoadSpec& load) {
 void read_resource(TableReader& t, ResourceSpec& resource) {
   t.text(required, "name", resource.name, "What a plan's Resource says.");
   t.text(required, "unit", resource.unit, "For readers: 'kg', 'tubes'.");
-  t.number(required, "amount", resource.amount, not_negative, "At the start.");
+  t.number(required, "amount", resource.amount, amount_range, "At the start.");
 }
 
 // Reads a colour such as '#c08040'.
@@ -179,7 +183,7 @@ void read_power(TableReader& t, PowerSpec& power) {
          "Without one the energy balance is not modelled (default).");
   if (battery.capacity_j > 0) power.battery = battery;
   read_panels(t, power.panels);
-  t.number(optional, "generator_w", power.generator_w, not_negative,
+  t.number(optional, "generator_w", power.generator_w, power_w,
            "Constant electrical power made aboard, as of a radioisotope generator; it counts as "
            "external power (default 0).");
   t.list(optional, "loads", "load", power.loads, "What uses power besides wheel motors.");

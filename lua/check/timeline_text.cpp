@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "base/utf8.h"
 namespace lsos {
 
 namespace {
@@ -151,7 +152,7 @@ std::string timeline_text(const MissionEstimate& estimate,
         const double at_s = begin_s + cell * cell_s;
         shades += at_s < estimate.end_s ? shade_at(lane, at_s) : ' ';
       }
-      const std::string id = lane.shade.rover_id.substr(0, width);
+      const std::string id = beginning(lane.shade.rover_id, width);
       text += without_end_blanks(fmt::format("  {:<{}} {}", id, width, events));
       if (shades.find_first_not_of(' ') == std::string::npos) continue;
       text += without_end_blanks(fmt::format("  {:<{}} {}", "", width, shades));

@@ -7,9 +7,9 @@
 
 #include "base/bounded_file.h"
 #include "base/sha256.h"
+#include "base/utf8.h"
 #include "lua/host/script_folders.h"
 #include "lua/runtime/source_budget.h"
-#include "mission/port/note_json.h"
 
 namespace lsos {
 
@@ -26,17 +26,6 @@ constexpr std::pair<ScriptKind, const char*> kind_folders[] = {{ScriptKind::even
 // Bounds of all scripts that are not shipped, in one folder and together.
 constexpr std::size_t scripts_max = 1000;
 constexpr std::size_t source_bytes_together = std::size_t{16} << 20;
-
-// Whether a name can be shown: UTF-8 without control characters.
-bool is_text(const std::string& name) {
-  for (std::size_t at = 0; at < name.size();) {
-    const std::size_t bytes = utf8_bytes(name, at);
-    const auto c = static_cast<unsigned char>(name[at]);
-    if (bytes == 0 || c < ' ' || c == 0x7f) return false;
-    at += bytes;
-  }
-  return true;
-}
 
 // Reads the text of a script, or says why it cannot be used.
 void read_source(Script& script, const fs::path& path, std::size_t& bytes_left) {
@@ -68,7 +57,7 @@ std::vector<Script> scripts_in(const ScriptFolder& folder, ScriptKind kind, cons
        entry.increment(error)) {
     const fs::path file = entry->path().filename();
     if (file.extension() != ".lua") continue;
-    if (!is_text(file.string())) {
+    if (!is_name(file.string())) {
       faults.warning({shown, 0}, "has a script whose name is no text (UTF-8); it is left out");
       continue;
     }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "base/utf8.h"
 #include "lua/host/condition.h"
 #include "lua/host/host.h"
 #include "mission/model/breakable.h"
@@ -16,7 +17,7 @@ namespace {
 // A condition as a message shows it.
 std::string shortened(const std::string& condition) {
   constexpr std::size_t bytes_max = 300;
-  return condition.size() <= bytes_max ? condition : condition.substr(0, bytes_max) + " ...";
+  return condition.size() <= bytes_max ? condition : beginning(condition, bytes_max) + " ...";
 }
 
 // Where all that is drawn lies.

@@ -4,6 +4,7 @@
 
 #include <map>
 
+#include "base/utf8.h"
 #include "lua/api/answer.h"
 #include "lua/api/arguments.h"
 #include "lua/api/breakage.h"
@@ -356,7 +357,7 @@ std::string LuaHost::run_abort(ScriptInstance id, PhaseContext& context) {
     try {
       impl_->call(L, id, instance, call, "on_abort", 1);
       if (lua_type(L, -1) == LUA_TSTRING) {
-        state = error_text(L, -1).substr(0, ending_bytes_max);
+        state = beginning(error_text(L, -1), ending_bytes_max);
       } else if (!lua_isnil(L, -1)) {
         throw std::runtime_error(fmt::format("a text or nil is wanted, found {}", describe(L, -1)));
       }

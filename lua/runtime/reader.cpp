@@ -7,6 +7,8 @@
 #include <span>
 
 #include "base/units.h"
+#include "base/utf8.h"
+#include "base/visible_text.h"
 #include "lua/runtime/context.h"
 #include "lua/runtime/state.h"
 #include "lua/runtime/value_text.h"
@@ -46,7 +48,19 @@ std::string type_text(const char* type, const char* key, const Range& range) {
   return unit.empty() ? type : fmt::format("{}, {}", type, unit);
 }
 
+// A text that is wrong, as a message shows it.
+std::string shortened(std::string_view text) {
+  constexpr std::size_t bytes_max = 60;
+  return visible_text(beginning(text, bytes_max)) + (text.size() > bytes_max ? "..." : "");
+}
+
 }  // namespace
+
+std::string text_at(lua_State* L, int index) {
+  std::size_t size = 0;
+  const char* bytes = lua_tolstring(L, index, &size);
+  return {bytes, size};
+}
 
 std::string si_unit_of(std::string_view key) {
   for (const auto& [suffix, symbol] : compound_units) {
@@ -171,8 +185,15 @@ void TableReader::boolean(Need need, const char* key, std::optional<bool>& value
 void TableReader::text(Need need, const char* key, std::optional<std::string>& value,
                        const char* doc) {
   if (!get(need, key, "text", doc, LUA_TSTRING, "a text")) return;
-  value = lua_tostring(L_, -1);
+  std::string found = text_at(L_, -1);
   lua_pop(L_, 1);
+  if (std::string_view(key) == "name") {
+    if (!check_name(key, found)) return;
+  } else if (!is_utf8(found) || found.find('\0') != std::string::npos) {
+    fault(fmt::format("{} = '{}': a text in UTF-8 is wanted", key, shortened(found)));
+    return;
+  }
+  value = std::move(found);
   if (value->empty()) fault(fmt::format("{}: must not be empty", key));
 }
 
@@ -202,6 +223,13 @@ void TableReader::numbers(Need need, const char* key, std::vector<double>& value
     }
   }
   lua_pop(L_, 2);
+}
+
+bool TableReader::check_name(const char* what, std::string_view name) {
+  if (is_name(name)) return true;
+  fault(fmt::format("{} = '{}': a name is text in UTF-8 without control characters", what,
+                    shortened(name)));
+  return false;
 }
 
 void TableReader::texts(Need need, const char* key, std::vector<std::string>& value,

@@ -113,6 +113,9 @@ class TableReader {
   // read raw, since its metatables could run a script outside its budgets.
   bool take(Need need, const char* key, const char* type, const char* doc);
 
+  // Whether a name of the script can stand in logs and pages; adds a fault where it cannot.
+  bool check_name(const char* what, std::string_view name);
+
   // Adds the fault "WHAT: text".
   void fault(const std::string& text);
   // Adds a fault for each key of the table that was not read.
@@ -147,6 +150,9 @@ class TableReader {
   std::vector<KeyDoc>* keys_ = nullptr;
   std::vector<std::string> known_;
 };
+
+// The text at `index`, zero bytes and all.
+std::string text_at(lua_State* L, int index);
 
 // Faults of the script that is loading. Throws std::runtime_error when none is loading: "lsos.wheel
 // works only while a script loads".

@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "base/utf8.h"
 #include "lua/runtime/source_budget.h"
 
 namespace lsos {
@@ -88,7 +89,7 @@ namespace {
 // A message cut to a readable length.
 std::string shortened(const std::string& message) {
   constexpr std::size_t bytes_max = 4000;
-  return message.size() <= bytes_max ? message : message.substr(0, bytes_max) + "...";
+  return message.size() <= bytes_max ? message : beginning(message, bytes_max) + "...";
 }
 
 // Whether a message begins with a place such as "file:12: ".

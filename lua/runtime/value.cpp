@@ -5,6 +5,7 @@
 #include <string_view>
 #include <unordered_set>
 
+#include "base/utf8.h"
 #include "lua/runtime/constructed_value.h"
 #include "lua/runtime/sorted_keys.h"
 #include "lua/runtime/vec3.h"
@@ -29,7 +30,7 @@ struct Path {
     constexpr std::size_t key_bytes_max = 60;
     if (around == nullptr) return std::string(key);
     if (number != 0) return fmt::format("{}[{}]", around->text(), number);
-    return fmt::format("{}.{}{}", around->text(), key.substr(0, key_bytes_max),
+    return fmt::format("{}.{}{}", around->text(), beginning(key, key_bytes_max),
                        key.size() > key_bytes_max ? "..." : "");
   }
 };

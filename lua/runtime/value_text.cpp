@@ -1,5 +1,6 @@
 #include "lua/runtime/value_text.h"
 
+#include "base/utf8.h"
 #include "lua/runtime/state.h"
 
 namespace lsos {
@@ -28,14 +29,14 @@ std::string key_text(lua_State* L, int index) {
   constexpr std::size_t bytes_max = 60;
   if (lua_type(L, index) != LUA_TSTRING) {
     push_text(L, index);
-    std::string text = error_text(L, -1).substr(0, bytes_max);
+    std::string text = beginning(error_text(L, -1), bytes_max);
     lua_pop(L, 1);
     return text;
   }
   std::size_t size = 0;
   const char* bytes = lua_tolstring(L, index, &size);
   if (size <= bytes_max) return {bytes, size};
-  return std::string(bytes, bytes_max) + "...";
+  return beginning({bytes, size}, bytes_max) + "...";
 }
 
 }  // namespace lsos

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/utf8.h"
 #include "lua/runtime/handle.h"
 #include "lua/runtime/reader.h"
 #include "lua/runtime/sorted_keys.h"
@@ -130,10 +131,7 @@ std::string member_text(lua_State* L, int index, const std::string& name) {
   }
   std::string text = written(L, index, Units::shown, name, bytes_max);
   if (text.size() <= bytes_max) return text;
-  std::size_t end = bytes_max;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80)
-    --end;  // a letter's rest
-  return text.substr(0, end) + "...";
+  return beginning(text, bytes_max) + "...";
 }
 
 // Adds the fields of a handle, or the entries of a table, one on each line.

@@ -164,6 +164,15 @@ TEST(Summary, survives_text_that_is_no_utf8) {
 
 TEST(Summary, is_known_again) {
   EXPECT_TRUE(is_summary(to_json(test_summary())));
+  RunSummary large = test_summary();
+  RoverSummary& rover = large.rovers.begin()->second;
+  rover.resources = {{"data", 1e13}};
+  rover.energy_used_j = 2e13;
+  EXPECT_TRUE(is_summary(to_json(large))) << "only times have that limit";
+  rover.resources = {{"dose_s", 1e13}};
+  EXPECT_TRUE(is_summary(to_json(large))) << "a resource may be called as a time is";
+  rover.duration_s = 1e13;
+  EXPECT_FALSE(is_summary(to_json(large)));
   EXPECT_FALSE(is_summary(""));
   EXPECT_FALSE(is_summary("[1, 2"));
   EXPECT_FALSE(is_summary(R"({"program": "other", "log_sha256": "abc"})"));
