@@ -70,5 +70,18 @@ TEST(ForeignState, is_not_cut_or_lengthened) {
   EXPECT_THAT(refusal(mission, state + "x"), HasSubstr("longer than the program expects"));
 }
 
+TEST(ForeignState, is_of_this_mission) {
+  const Mission mission = two_rovers();
+  Mission empty, other, fewer = two_rovers(), timed = two_rovers();
+  empty.rover("A");  // this mission is over where it begins
+  other.rover("A").event("Hold", 5);
+  fewer.setup_.plan.events.pop_back();
+  timed.setup_.plan.events.front().at = test::milliseconds(100'000);
+  for (const Mission* foreign : {&empty, &other, &fewer, &timed}) {
+    EXPECT_THAT(refusal(mission, state_at(*foreign, 1)), HasSubstr("other events"));
+    EXPECT_THAT(refusal(*foreign, state_at(mission, 1)), HasSubstr("other events"));
+  }
+}
+
 }  // namespace
 }  // namespace lsos
