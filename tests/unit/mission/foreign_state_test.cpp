@@ -83,5 +83,25 @@ TEST(ForeignState, is_of_this_mission) {
   }
 }
 
+// However fast a state says that a rover is, little is looked for ahead of it.
+TEST(ForeignState, foresees_little_of_a_long_line) {
+  Mission mission;
+  mission.rover("A").drive(50'000);
+  Simulation first(mission.setup_);
+  first.start();
+  while (seconds(first.now()) < 10) first.advance();
+  const RoverAgent& agent = *first.fleet().rovers.front().agent;
+  std::string state = first.save();
+  const auto bytes = [](double number) { return std::string(reinterpret_cast<char*>(&number), 8); };
+  const std::size_t at = state.find(bytes(agent.motion().report().v_S_mps.x()));
+  ASSERT_NE(at, std::string::npos);
+  state.replace(at, 8, bytes(1e9));
+  Simulation second(mission.setup_);
+  second.restore(state);
+  const RoverAgent& fast = *second.fleet().rovers.front().agent;
+  ASSERT_EQ(fast.motion().report().v_S_mps.x(), 1e9);
+  EXPECT_LT(fast.drive().footprints_ahead(1).size(), 5000u);
+}
+
 }  // namespace
 }  // namespace lsos
