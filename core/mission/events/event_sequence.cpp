@@ -13,6 +13,18 @@
 
 namespace lsos {
 
+namespace {
+
+bool are_of(const std::vector<EventMachine>& events, const EventRecords& records) {
+  if (records.size() != events.size()) return false;
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    if (records[i].is_timed != events[i].event.at.has_value()) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
 EventSequence::EventSequence(const RoverMachine& machine, const Ground& ground)
     : machine_(machine), ground_(&ground), records_(machine.events.size()) {
   for (std::size_t i = 0; i < records_.size(); ++i) {
@@ -355,9 +367,10 @@ void EventSequence::archive(Archive& a, ScriptHost& host) {
   LSOS_ARCHIVE(a, records_, index_, has_turn_, waits_for_others_, waits_for_charge_,
                waits_for_condition_, is_finished_, has_failed_, aborts_mission_, is_running);
   if (a.is_reading()) {
-    const std::size_t count = machine_.events.size();
-    const bool fits = records_.size() == count && index_ <= count;
-    if (!fits || (index_ == count && (has_turn_ || is_running))) {
+    const bool fits = index_ <= records_.size() && are_of(machine_.events, records_);
+    const bool has_times = index_ < records_.size() && records_[index_].ready &&
+                           (!is_running || records_[index_].start);
+    if (!fits || ((has_turn_ || is_running) && !(has_turn_ && has_times))) {
       a.refuse("saved state is of other events");
     }
     if (is_running) running_.emplace(event());

@@ -300,13 +300,14 @@ void RoverDrive::go_on_from_here() {
 
 std::vector<Footprint> RoverDrive::footprints_ahead(double beyond_m) const {
   constexpr double step_m = 0.25, turning_s = 1;
-  constexpr double turning_mps = 0.1;  // below this speed a rover that turns does so on the spot
+  constexpr double turning_mps = 0.1;     // below this speed a rover that turns does so on the spot
+  constexpr double braking_max_m = 1000;  // nothing farther away is looked for, however it slides
   const VehicleReport& report = motion_->report();
   const Footprint& at_rest = motion_->footprint_at_rest();
   const Vec2 p_m = report.p_S_m.head<2>(), v_mps = report.v_S_mps.head<2>();
   const double braking_s =
       v_mps.norm() / (2 * motion_->config().acceleration_mps2) + seconds(exchange_period);
-  const double braking_m = braking_s * v_mps.norm();
+  const double braking_m = std::min(braking_max_m, braking_s * v_mps.norm());
   std::vector<Footprint> footprints;
   if (v_mps.norm() < turning_mps) {
     double turn_rad = turning_s * report.yaw_rate_radps;

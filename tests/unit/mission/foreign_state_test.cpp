@@ -70,5 +70,38 @@ TEST(ForeignState, is_not_cut_or_lengthened) {
   EXPECT_THAT(refusal(mission, state + "x"), HasSubstr("longer than the program expects"));
 }
 
+TEST(ForeignState, is_of_this_mission) {
+  const Mission mission = two_rovers();
+  Mission empty, other, fewer = two_rovers(), timed = two_rovers();
+  empty.rover("A");  // this mission is over where it begins
+  other.rover("A").event("Hold", 5);
+  fewer.setup_.plan.events.pop_back();
+  timed.setup_.plan.events.front().at = test::milliseconds(100'000);
+  for (const Mission* foreign : {&empty, &other, &fewer, &timed}) {
+    EXPECT_THAT(refusal(mission, state_at(*foreign, 1)), HasSubstr("other events"));
+    EXPECT_THAT(refusal(*foreign, state_at(mission, 1)), HasSubstr("other events"));
+  }
+}
+
+// However fast a state says that a rover is, little is looked for ahead of it.
+TEST(ForeignState, foresees_little_of_a_long_line) {
+  Mission mission;
+  mission.rover("A").drive(50'000);
+  Simulation first(mission.setup_);
+  first.start();
+  while (seconds(first.now()) < 10) first.advance();
+  const RoverAgent& agent = *first.fleet().rovers.front().agent;
+  std::string state = first.save();
+  const auto bytes = [](double number) { return std::string(reinterpret_cast<char*>(&number), 8); };
+  const std::size_t at = state.find(bytes(agent.motion().report().v_S_mps.x()));
+  ASSERT_NE(at, std::string::npos);
+  state.replace(at, 8, bytes(1e9));
+  Simulation second(mission.setup_);
+  second.restore(state);
+  const RoverAgent& fast = *second.fleet().rovers.front().agent;
+  ASSERT_EQ(fast.motion().report().v_S_mps.x(), 1e9);
+  EXPECT_LT(fast.drive().footprints_ahead(1).size(), 5000u);
+}
+
 }  // namespace
 }  // namespace lsos

@@ -106,5 +106,13 @@ TEST(PlannedLegs, that_are_damaged_are_planned_again) {
   }
 }
 
+TEST(PlannedLegs, are_not_longer_than_any_that_is_planned) {
+  PlannedLeg leg;
+  leg.path_S_m = {{0, 0, 0}, {5e5, 0, 0}};
+  EXPECT_TRUE(leg.is_sound());
+  leg.path_S_m.push_back({0, 2e5, 0});
+  EXPECT_FALSE(leg.is_sound());
+}
+
 }  // namespace
 }  // namespace lsos::test
