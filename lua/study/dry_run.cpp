@@ -10,6 +10,7 @@
 
 #include "base/console.h"
 #include "base/error.h"
+#include "base/stop_signal.h"
 #include "lua/app/progress.h"
 #include "lua/app/run_to_end.h"
 #include "lua/study/case_run.h"

@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/quantity.h"
+#include "base/stop_signal.h"
 #include "lua/app/progress.h"
 #include "lua/app/run_to_end.h"
 #include "lua/study/case_run.h"

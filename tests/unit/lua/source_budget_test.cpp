@@ -58,7 +58,7 @@ TEST(SourceBudget, counts_no_words_of_texts_and_comments) {
     EXPECT_EQ(fault(source), "") << source.substr(0, 20);
   }
   // What only looks like the end of a text or the begin of a comment hides nothing.
-  for (const std::string& begin :
+  for (const std::string begin :
        {"x = '--' == a", "x = [[--[=[]] == a", "--[==[ ]] ]==]\nx = a", "x = '\\\\' == a",
         "x = \"'\" == a", "-- '\nx = a", "x = a - -b"}) {
     EXPECT_NE(fault(begin + repeated(" or a", terms_max + 1)), "") << begin;
