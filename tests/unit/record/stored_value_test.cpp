@@ -25,6 +25,7 @@ TEST(StoredValue, texts_that_are_no_text_are_read_back) {
   log.write(PhaseRow{"SEV1", 3, "pa\xffuse", SimTime{0}, {}});
   log.write(NoteRow{SimTime{0}, "SEV1", 3, std::string("na\0me", 5), "{}", {}});
   log.write_run({{"plan", "M\xe4rz.kml"}});
+  log.write(Checkpoint{SimTime{0}, CheckpointKind::kept, 1.5, "state"});
   log.begin_branch({"M\xe4rz", "abc", SimTime{0}, "\xff"});
   log.finish();
 
