@@ -1,5 +1,6 @@
 #include "access/bounded_files.h"
 
+#include <cpl_conv.h>
 #include <cpl_string.h>
 #include <cpl_vsi_virtual.h>
 
@@ -24,11 +25,12 @@ namespace {
 
 constexpr std::size_t companion_bytes_max = std::size_t{64} << 20;
 
-// Whether GDAL reads such a file into memory: a VRT, or what lies beside a raster.
-bool is_companion(std::string_view path) {
-  static constexpr std::array<std::string_view, 7> endings{".prj", ".xml", ".hdr", ".vrt",
-                                                           ".tfw", ".wld", ".txt"};
-  return std::ranges::any_of(endings, [&](std::string_view end) { return path.ends_with(end); });
+// Whether GDAL reads such a file into memory: what lies beside a raster. VRTs are told by what
+// stands in them, where they are opened.
+bool is_companion(const char* path) {
+  static constexpr std::array endings{"prj", "xml", "hdr", "tfw", "wld"};
+  const std::string ending = CPLGetExtension(path);
+  return std::ranges::any_of(endings, [&](const char* end) { return EQUAL(ending.c_str(), end); });
 }
 
 // The file system of the machine.
@@ -93,7 +95,10 @@ class BoundedFiles : public VSIFilesystemHandler {
   // GDAL does so. GDAL itself says of a folder that it is none.
   static bool is_file(const char* path) {
     std::string why = other_than_file(path);
-    if (why.empty() && is_companion(path)) why = larger_than(path, companion_bytes_max);
+    if (why.empty() && is_companion(path)) {
+      why = larger_than(path, companion_bytes_max);
+      if (!why.empty()) why += "; gdal_translate makes a GeoTIFF, which needs no file beside it";
+    }
     if (why.empty()) return true;
     if (why != is_folder) refuse(fmt::format("'{}' {}", path, why));
     errno = EACCES;

@@ -49,8 +49,32 @@ GDALDataset* open_vectors_alone(GDALOpenInfo* info) {
 GDALDataset* (*open_vrt)(GDALOpenInfo*) = nullptr;
 int (*is_vrt)(GDALOpenInfo*) = nullptr;
 
+// Whether an open file, which may lie deflated in an archive, has more bytes than that. It is read
+// so far, as an archive may be wrong about its size.
+bool has_more_bytes(VSILFILE* file, std::size_t bytes_max) {
+  std::vector<char> block(std::size_t{1} << 20);
+  std::size_t bytes = 0;
+  while (bytes <= bytes_max) {
+    const std::size_t count = VSIFReadL(block.data(), 1, block.size(), file);
+    bytes += count;
+    if (count < block.size()) break;
+  }
+  VSIFSeekL(file, 0, SEEK_SET);
+  return bytes > bytes_max;
+}
+
+// The driver reads a VRT whole, whatever the file is called.
 GDALDataset* open_vrt_in_budget(GDALOpenInfo* info) {
+  constexpr std::size_t vrt_bytes_max = std::size_t{64} << 20;
   if (is_vrt(info) <= 0) return nullptr;
+  if (info->fpL != nullptr) {
+    VSIFSeekL(info->fpL, 0, SEEK_SET);
+    if (has_more_bytes(info->fpL, vrt_bytes_max)) {
+      refuse(fmt::format("the VRT '{}' is larger than {} MiB; gdal_translate makes a GeoTIFF of it",
+                         info->pszFilename, vrt_bytes_max >> 20));
+      return nullptr;
+    }
+  }
   if (spend_vrt()) return open_vrt(info);
   refuse(too_many_vrts(info->pszFilename));
   return nullptr;

@@ -65,12 +65,27 @@ bool is_web_address(std::string_view address) {
   return STARTS_WITH_CI(text.c_str(), "http://") || STARTS_WITH_CI(text.c_str(), "https://");
 }
 
-// Whether each address in the description is one of the web; elements may lie at any depth.
+bool is_element_or_attribute(const CPLXMLNode* node) {
+  return node->eType == CXT_Element || node->eType == CXT_Attribute;
+}
+
+// All that the driver could take for the value of an element or attribute.
+std::string text_of(const CPLXMLNode* node) {
+  std::string text;
+  for (const CPLXMLNode* child = node->psChild; child != nullptr; child = child->psNext) {
+    if (child->eType == CXT_Text) text += child->pszValue;
+  }
+  return CPLString(text).Trim();
+}
+
+// Whether each address in the description is one of the web, and it names no folder: that of a
+// cache is written into and cleared. GDAL takes an attribute for an element of that name, in any
+// case; they may lie at any depth.
 bool has_web_addresses_alone(const CPLXMLNode* node) {
   for (; node != nullptr; node = node->psNext) {
-    if (node->eType == CXT_Element && STARTS_WITH_CI(node->pszValue, "Server")) {
-      const CPLString address(CPLGetXMLValue(const_cast<CPLXMLNode*>(node), "", ""));
-      if (!is_web_address(CPLString(address).Trim())) return false;
+    if (is_element_or_attribute(node)) {
+      if (STARTS_WITH_CI(node->pszValue, "Server") && !is_web_address(text_of(node))) return false;
+      if (EQUAL(node->pszValue, "Path") || EQUAL(node->pszValue, "CachePath")) return false;
     }
     if (!has_web_addresses_alone(node->psChild)) return false;
   }
@@ -96,7 +111,7 @@ GDALDataset* open_described(GDALOpenInfo* info) {
     refuse(
         fmt::format("'{}' names a service that is not opened: a description of type GDAL_WMS is "
                     "wanted, of a service WMS or TMS, with a ServerUrl that begins with "
-                    "http:// or https://",
+                    "http:// or https://, and no Path of a cache",
                     info->pszFilename));
     return nullptr;
   }

@@ -11,6 +11,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include "base/error.h"
+
 namespace lsos {
 
 namespace {
@@ -93,6 +95,14 @@ Parsed<std::string> read_bounded(const std::string& file, const FileBounds& boun
     // A file may grow while it is read, and a pipe has no size.
     if (bytes.size() > bounds.bytes_max) return {{}, too_large(bounds.bytes_max)};
   }
+}
+
+std::string read_named_file(const std::string& file) {
+  FileBounds bounds;
+  bounds.may_be_pipe = true;
+  Parsed<std::string> bytes = read_bounded(file, bounds);
+  if (!bytes) throw InputError({file}, std::move(bytes.why));
+  return *std::move(bytes.value);
 }
 
 std::string other_than_file(const std::string& path) {

@@ -22,6 +22,10 @@ struct FileBounds {
 // than 256 MiB".
 Parsed<std::string> read_bounded(const std::string& file, const FileBounds& bounds = {});
 
+// The same of a file that the user names, which may be a pipe: `<(zcat rows.csv.gz)`, /dev/stdin.
+// Throws InputError with the reason.
+std::string read_named_file(const std::string& file);
+
 inline constexpr const char* is_folder = "is a folder";
 // What stands at a path that is no regular file: `is_folder`, "is a pipe"; "" where it is one, or
 // where there is nothing.

@@ -126,7 +126,9 @@ bool is_signed_number(std::string_view text) {
 
 bool is_like_formula(std::string_view text) {
   constexpr std::string_view begins = "=+-@\t\r";
-  return !text.empty() && begins.find(text[0]) != std::string_view::npos && !is_signed_number(text);
+  // A sign alone stands for nothing, as in a cell that was left out.
+  return text.size() > 1 && begins.find(text[0]) != std::string_view::npos &&
+         !is_signed_number(text);
 }
 
 // Whether an apostrophe in front is needed: for a formula, and for a text that would lose one.

@@ -1,5 +1,6 @@
 #include "base/stop_signal.h"
 
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -57,13 +58,34 @@ constexpr bool has_handlers = __has_feature(address_sanitizer) || __has_feature(
 constexpr bool has_handlers = false;
 #endif
 
+// Lets a copy of the process die of the signal, which dumps the core of who has allowed that
+// (ulimit -c), while this one keeps its exit code. _Fork is the one that a handler may call.
+void dump_core(int signal) {
+  const pid_t copy = ::_Fork();
+  if (copy < 0) return;
+  if (copy > 0) {
+    while (::waitpid(copy, nullptr, 0) < 0 && errno == EINTR) {
+    }
+    return;
+  }
+  std::signal(signal, SIG_DFL);
+  sigset_t blocked;
+  sigemptyset(&blocked);
+  sigaddset(&blocked, signal);
+  ::sigprocmask(SIG_UNBLOCK, &blocked, nullptr);
+  ::raise(signal);
+  _exit(3);
+}
+
 [[noreturn]] void tell_of_fault(int signal) {
   const char* what =
-      signal == SIGABRT  ? "a library has given up (SIGABRT), as a rule for lack of memory"
+      signal == SIGABRT  ? "the program or a library has given up (SIGABRT), as where memory is "
+                           "short or a value is impossible"
       : signal == SIGBUS ? "a file in use was cut short, or its disk is full (SIGBUS)"
                          : "fault inside the program or a library (SIGSEGV), as where "
                            "memory is short";
   say({what, "; a run that was under way goes on with 'lsos-host resume'\n"});
+  dump_core(signal);
   _exit(3);
 }
 

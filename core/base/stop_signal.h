@@ -11,8 +11,9 @@ namespace lsos {
 inline constexpr std::array stop_signals{SIGINT, SIGTERM, SIGHUP, SIGXCPU};
 
 // From now on the first of them is noted instead of ending the program. What the program still does
-// is then said on standard error at once, see Task; a second one ends it. A signal that the parent
-// ignores stays ignored, as SIGINT in the background of a shell script and SIGHUP under nohup.
+// is then said on standard error at once, see Task. The same signal a second time ends it, which no
+// other does: a batch system may send two kinds in one go. A signal that the parent ignores stays
+// ignored, as SIGINT in the background of a shell script and SIGHUP under nohup.
 void catch_stop_signals();
 // Gives those that are caught their default effect.
 void forget_stop_signals();
@@ -23,8 +24,9 @@ int stop_signal();
 const char* name_of_signal(int signal);
 
 // From now on SIGABRT, SIGSEGV and SIGBUS end the program with a sentence on standard error and
-// exit code 3. Libraries raise them where memory is short: GDAL aborts, the renderer's compiler
-// writes through null. Does nothing in a build with a sanitizer, which has handlers of its own.
+// exit code 3, after a core dump where the user allows them. Libraries raise them where memory is
+// short: GDAL aborts, the renderer's compiler writes through null; so does std::terminate. Does
+// nothing in a build with a sanitizer, which has handlers of its own.
 void catch_fatal_signals();
 
 // Installs `handler`, unless the parent ignores the signal.

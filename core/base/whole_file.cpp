@@ -43,6 +43,17 @@ void refuse_other_than_file(int folder, const std::string& name, const std::stri
                                    file, kind_of(there.st_mode)));
 }
 
+// Whether an open folder is one of the machine's own, whose links to files are no files:
+// /dev/stdout leads to where the output goes, and would be replaced itself.
+bool is_of_machine(int folder) {
+  std::error_code unreadable;
+  const std::string path =
+      std::filesystem::read_symlink(fmt::format("/proc/self/fd/{}", folder), unreadable).string() +
+      "/";
+  return path.starts_with("/proc/") ||
+         (path.starts_with("/dev/") && !path.starts_with("/dev/shm/"));
+}
+
 }  // namespace
 
 WholeFile::WholeFile(const std::string& file, Kind kind) : file_(file) {
@@ -67,7 +78,14 @@ WholeFile::~WholeFile() {
   ::close(folder_);
 }
 
-void WholeFile::check_target() const { refuse_other_than_file(folder_, name_, file_); }
+void WholeFile::check_target() const {
+  refuse_other_than_file(folder_, name_, file_);
+  if (!is_of_machine(folder_)) return;
+  throw InputError(
+      {}, fmt::format("{}: lies in a folder of the machine, where no file is kept; another name is "
+                      "wanted",
+                      file_));
+}
 
 // Such a file gets its name through /proc, which may be absent. Not every file system has them.
 bool WholeFile::make_unnamed() {

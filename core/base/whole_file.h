@@ -51,7 +51,8 @@ class WholeFile {
   int folder_ = -1, descriptor_ = -1;
 };
 
-// Suffix of the name, if any, that a file has until it is whole.
-inline constexpr std::string_view part_suffix = ".part";
+// Suffix of the name, if any, that a file has until it is whole. No other program has it: browsers
+// name a download that is under way "report.html.part".
+inline constexpr std::string_view part_suffix = ".lsos-host.part";
 
 }  // namespace lsos

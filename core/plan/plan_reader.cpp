@@ -102,10 +102,16 @@ std::string excess_text(const Classified& ours) {
   constexpr std::size_t rovers_max = 500, events_max = 20'000;
   const std::size_t rovers = ours.rovers.size() + ours.assets.size();
   if (rovers > rovers_max) {
-    return fmt::format("has {} rovers and assets; a plan may have {}", rovers, rovers_max);
+    return fmt::format(
+        "has {} rovers and assets; a plan may have {}: make several plans of it, each "
+        "of rovers that meet",
+        rovers, rovers_max);
   }
   if (ours.events.size() > events_max) {
-    return fmt::format("has {} events; a plan may have {}", ours.events.size(), events_max);
+    return fmt::format(
+        "has {} events; a plan may have {}: make several plans of some days each; "
+        "'lsos-host run LATER.kml --from RUN' goes on from the run of an earlier one",
+        ours.events.size(), events_max);
   }
   return "";
 }

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "base/bounded_file.h"
 #include "base/console.h"
-#include "base/files.h"
 #include "base/units.h"
 #include "mission/model/mission_span.h"
 #include "mission/simulation.h"
@@ -16,13 +16,12 @@ namespace lsos {
 
 MeasuredStates read_measured(const std::string& file, const LogReader& log, SimTime moment,
                              const Ground& ground) {
-  const std::optional<std::string> text = read_file(file);
-  if (!text) throw InputError({file}, "no such file, or it cannot be read");
+  const std::string text = read_named_file(file);
   // Rows after the run's end are of no use to a branch, but no fault.
   RunExtent extent{log.start(), longest_mission, {}};
   for (const auto& [id, totals] : log.sample_totals()) extent.rovers.push_back(id);
   const auto height_m = [&](const Geodetic& place) { return ground.elevation_m(place); };
-  return last_measured(read_telemetry(file, *text, extent), moment, extent.rovers,
+  return last_measured(read_telemetry(file, text, extent), moment, extent.rovers,
                        {&ground.site(), height_m});
 }
 

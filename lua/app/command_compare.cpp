@@ -7,6 +7,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "base/bounded_file.h"
 #include "base/console.h"
 #include "base/error.h"
 #include "base/files.h"
@@ -105,7 +106,7 @@ int compare_more(const ComparedRuns& runs, const CompareOptions& options) {
 bool is_table(const std::string& name) {
   if (std::filesystem::is_directory(name)) return false;
   constexpr std::string_view endings[] = {".csv", ".tsv", ".txt"};
-  return std::filesystem::is_regular_file(name) ||
+  return std::filesystem::is_regular_file(name) || std::filesystem::is_fifo(name) ||
          std::ranges::any_of(endings, [&](std::string_view end) { return name.ends_with(end); });
 }
 
@@ -120,14 +121,13 @@ int compare_with_telemetry(const CompareOptions& options) {
   if (!options.page.empty()) {
     check_output("-o", options.page, {".html"}, {folder + "/log.gpkg", file}, faults);
   }
-  const std::optional<std::string> text = read_file(file);
-  if (!text) faults.error({file}, "no such file, or it cannot be read");
   faults.throw_if_errors();
+  const std::string text = read_named_file(file);
   const LogReader log(folder + "/log.gpkg");
   require_samples(log, folder);
   RunExtent extent{log.start(), log.last_sample_time(), {}};
   for (const auto& [id, totals] : log.sample_totals()) extent.rovers.push_back(id);
-  const Telemetry telemetry = read_telemetry(file, *text, extent);
+  const Telemetry telemetry = read_telemetry(file, text, extent);
   for (const Fault& fault : faults_of(telemetry, Severity::warning)) {
     print_message("{}\n", to_string(fault));
   }

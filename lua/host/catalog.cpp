@@ -23,7 +23,8 @@ constexpr std::pair<ScriptKind, const char*> kind_folders[] = {{ScriptKind::even
                                                                {ScriptKind::terrain, "terrain"},
                                                                {ScriptKind::shared, "lib"}};
 
-// Bounds of all scripts that are not shipped, in one folder and together.
+// Bounds of scripts that are not shipped: of a kind, and together in one folder of scripts, so that
+// what came with a plan takes nothing from the user's own.
 constexpr std::size_t scripts_max = 1000;
 constexpr std::size_t source_bytes_together = std::size_t{16} << 20;
 
@@ -35,8 +36,8 @@ void read_source(Script& script, const fs::path& path, std::size_t& bytes_left) 
   if (!source) {
     script.unread = std::move(source.why);
   } else if (!script.is_shipped && source.value->size() > bytes_left) {
-    script.unread =
-        fmt::format("is not read: scripts may have {} MiB together", source_bytes_together >> 20);
+    script.unread = fmt::format("is not read: the scripts of a folder may have {} MiB together",
+                                source_bytes_together >> 20);
   } else {
     if (!script.is_shipped) bytes_left -= source.value->size();
     script.source = *std::move(source.value);
@@ -69,9 +70,10 @@ std::vector<Script> scripts_in(const ScriptFolder& folder, ScriptKind kind, cons
     script.is_shipped = is_shipped;
     scripts.push_back(std::move(script));
     if (scripts.size() > scripts_max && !is_shipped) {
-      throw InputError({shown, 0}, fmt::format("has more than {} scripts; so many are allowed in "
-                                               "one folder",
-                                               scripts_max));
+      faults.warning({shown, 0}, fmt::format("has more than {} scripts; so many are allowed in one "
+                                             "folder, and none is used",
+                                             scripts_max));
+      return {};
     }
   }
   const bool is_absent =
@@ -95,11 +97,12 @@ std::vector<ScriptFolder> plain_folders(const std::vector<std::string>& paths) {
 Catalog::Catalog(const std::vector<std::string>& folders) : Catalog(plain_folders(folders)) {}
 
 Catalog::Catalog(const std::vector<ScriptFolder>& folders) {
-  std::size_t bytes_left = source_bytes_together;
+  std::map<std::string, std::size_t> bytes_left;  // by folder
   for (const auto& [kind, sub] : kind_folders) {
     std::map<std::string, Script> chosen;
     for (const ScriptFolder& folder : folders) {
-      for (Script& script : scripts_in(folder, kind, sub, bytes_left, faults_)) {
+      std::size_t& left = bytes_left.try_emplace(folder.path, source_bytes_together).first->second;
+      for (Script& script : scripts_in(folder, kind, sub, left, faults_)) {
         const auto [first, is_new] = chosen.try_emplace(script.name, script);
         if (is_new || first->second.sha256 == script.sha256) continue;
         faults_.warning({first->second.file, 0},

@@ -2,9 +2,9 @@
 
 #include <memory>
 
+#include "base/bounded_file.h"
 #include "base/console.h"
 #include "base/error.h"
-#include "base/files.h"
 #include "lua/runtime/environment.h"
 #include "lua/runtime/handle.h"
 #include "lua/runtime/loader.h"
@@ -16,8 +16,7 @@
 namespace lsos {
 
 void run_change_script(SessionParts& parts, const std::string& file) {
-  const auto source = read_file(file);
-  if (!source) throw InputError({file}, "cannot be read");
+  const std::string source = read_named_file(file);
   const auto say = [](const std::string& line) { print_message("{}\n", line); };
   LuaState lua(make_session_api, session_limits());
   SimSessions sessions(parts.folder->path(), say);
@@ -25,7 +24,7 @@ void run_change_script(SessionParts& parts, const std::string& file) {
   lua.context().interactive_rovers = &sessions;
   std::string failure_text;
   lua.run([&](lua_State* L) {
-    auto failure = load_text(L, *source, file);
+    auto failure = load_text(L, source, file);
     if (!failure) {
       push_open_environment(L);
       push_lsos_module(L);

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <set>
 
+#include "base/bounded_file.h"
 #include "base/console.h"
 #include "base/files.h"
 #include "base/output_file.h"
@@ -115,9 +116,11 @@ void run_scenarios(const std::string& file, const std::string& filter, const std
   script.name = path.stem();
   script.file = file;
   script.folder = path.parent_path();
-  const auto source = read_file(file);
-  if (!source) return report({file, "", file + ": cannot be read", "", 0});
-  script.source = *source;
+  FileBounds bounds;
+  bounds.may_be_pipe = true;
+  Parsed<std::string> source = read_bounded(file, bounds);
+  if (!source) return report({file, "", fmt::format("{}: {}", file, source.why), "", 0});
+  script.source = *std::move(source.value);
 
   LuaState lua(make_session_api, session_limits());
   lua.run([&](lua_State* L) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "base/bounded_file.h"
 #include "base/error.h"
 #include "base/files.h"
 #include "base/output_file.h"
@@ -67,10 +68,12 @@ int save(lua_State* L) {
 
 int load(lua_State* L) {
   const std::string file = luaL_checkstring(L, 2);
-  const auto bytes = read_file(file);
-  if (!bytes) throw std::runtime_error(fmt::format("{} cannot be read", file));
+  FileBounds bounds;
+  bounds.may_be_pipe = true;
+  const Parsed<std::string> bytes = read_bounded(file, bounds);
+  if (!bytes) throw std::runtime_error(fmt::format("{} {}", file, bytes.why));
   try {
-    sim_session(L).load(*bytes);
+    sim_session(L).load(*bytes.value);
   } catch (const InputError& error) {
     throw std::runtime_error(fmt::format("{} {}", file, error.what()));
   }

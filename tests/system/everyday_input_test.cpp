@@ -12,6 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 std::vector<Mark> pause(const Fields& fields, const std::string& start = "2026-07-01T00:00:00Z",
                         const std::string& terrain = "Flat") {
@@ -71,6 +72,28 @@ TEST(Pipe, is_read_as_a_plan) {
       run_command({"bash", "-c", "echo a,b | '" LSOS_PROGRAM "' check /dev/stdin"});
   EXPECT_EQ(foreign.exit_code, 2);
   EXPECT_THAT(foreign.out, HasSubstr("/dev/stdin:1: is no XML: it is a table of text"));
+}
+
+// As bash makes of <(zcat rows.csv.gz), for each command that reads what the user names.
+TEST(Pipe, is_read_as_rows_scripts_and_scenarios) {
+  const TempFolder folder;
+  folder.write("plan.kml", kml(pause({{"Duration", "5 s"}})));
+  const auto in_shell = [&](const std::string& line) {
+    return run_command({"bash", "-c", "P='" LSOS_PROGRAM "'; " + line}, {.folder = folder.path()});
+  };
+  ASSERT_EQ(
+      run({"run", "plan.kml", "-o", "run", "--no-report", "--quiet"}, {.folder = folder.path()})
+          .exit_code,
+      0);
+  const Outcome rows = in_shell("$P compare run <(echo no,rows)");
+  EXPECT_THAT(rows.err, HasSubstr("/dev/fd/")) << rows.out;
+  EXPECT_THAT(rows.err, Not(HasSubstr("cannot be"))) << rows.out;
+  EXPECT_THAT(rows.err, Not(HasSubstr("is a pipe"))) << rows.out;
+  const std::string scenario =
+      "require('lsos').scenario('piped', function(t) t:equal(1, 1, 'one') end)";
+  const Outcome piped = in_shell("echo \"" + scenario + "\" | $P test /dev/stdin");
+  EXPECT_EQ(piped.exit_code, 0) << piped.out << piped.err;
+  EXPECT_THAT(piped.out, HasSubstr("piped"));
 }
 
 // Writes a zip file with "ground.asc", 1.2 km by 1.2 km of level ground around the rover.

@@ -170,6 +170,52 @@ TEST(ForeignFile, is_no_server_of_tiles) {
   }
 }
 
+// GDAL takes attributes for elements.
+TEST(ForeignFile, is_no_server_of_tiles_in_an_attribute) {
+  const TempFolder folder, elsewhere;
+  const std::string tile = elsewhere.write("tile", "no tile");
+  const Watched watched(tile);
+  const std::string element = fmt::format("<Service name='TMS'><ServerUrl>file://{}", tile);
+  for (const std::string& service :
+       {fmt::format("<Service name='TMS' ServerUrl='file://{}'><x>", tile),
+        fmt::format("<Service name='TMS' SERVERURL='file://{}'><x>", tile),
+        fmt::format("<Service name='TMS' serverurl=' file://{}'><ServerUrl>http://x/", tile)}) {
+    std::string description = service_of("file://" + tile);
+    const bool has_url = service.ends_with("http://x/");
+    if (!has_url) {
+      const std::size_t end = description.find("</ServerUrl>");
+      description.replace(end, 12, "</x>");
+    }
+    description.replace(description.find(element), element.size(), service);
+    folder.write("service.xml", description);
+    const Outcome outcome =
+        run({"check", folder.write("plan.kml", plan_on("service.xml")), "--allow-network"});
+    EXPECT_EQ(outcome.exit_code, 2) << description;
+    EXPECT_THAT(outcome.out + outcome.err, HasSubstr("names a service that is not opened"))
+        << description;
+    EXPECT_FALSE(watched.was_opened()) << description;
+  }
+}
+
+// GDAL removes old files of a cache, whatever they are.
+TEST(ForeignFile, is_in_no_cache_of_a_service) {
+  const TempFolder folder;
+  const Listener listener;
+  const std::string server = fmt::format("http://127.0.0.1:{}/", listener.port());
+  for (const char* cache :
+       {"<Cache><Path>.</Path><Expires>0</Expires></Cache>", "<Cache path='.' Expires='0'/>"}) {
+    std::string description = service_of(server);
+    description.insert(description.find("<DataWindow>"), cache);
+    folder.write("service.xml", description);
+    const Outcome outcome =
+        run({"check", folder.write("plan.kml", plan_on("service.xml")), "--allow-network"},
+            {.folder = folder.path()});
+    EXPECT_EQ(outcome.exit_code, 2) << description;
+    EXPECT_THAT(outcome.out + outcome.err, HasSubstr("and no Path of a cache")) << description;
+  }
+  EXPECT_EQ(listener.calls(), 0);
+}
+
 TEST(ForeignFile, is_named_by_no_service_that_describes_itself) {
   const TempFolder folder;
   const Listener listener;

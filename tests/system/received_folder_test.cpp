@@ -66,9 +66,9 @@ TEST_F(ReceivedFolder, of_a_run_has_links_under_names_of_parts) {
   finished_run("run");
   for (const char* name : {"summary.json", "overlay.kml", "plan.kml", "report.html", "mission.qgz",
                            "hillshade.tif", "report.png"}) {
-    link(std::string("run/") + name + ".part");
-    link(std::string("run/") + name + ".part.ovr.tmp");
-    link(std::string("run/") + name + ".part.aux.xml");
+    link(std::string("run/") + name + ".lsos-host.part");
+    link(std::string("run/") + name + ".lsos-host.part.ovr.tmp");
+    link(std::string("run/") + name + ".lsos-host.part.aux.xml");
   }
   for (const Words& words :
        {Words{"overlay", "run"}, Words{"report", "run", "--no-pictures"},
@@ -123,7 +123,8 @@ TEST_F(ReceivedFolder, has_links_beside_files_that_commands_write) {
       {"i.tif", with({"light", "Flat", "--at", "2026-07-01", "-o", "i.tif"}, window)},
       {"ppr.kml.routes", {"check", "ppr.kml", "--quiet"}}};
   for (const auto& [name, words] : commands) {
-    for (const char* ending : {".part", ".part.ovr.tmp", ".part.aux.xml", "-journal", "-wal"}) {
+    for (const char* ending : {".lsos-host.part", ".lsos-host.part.ovr.tmp",
+                               ".lsos-host.part.aux.xml", "-journal", "-wal"}) {
       link(name + ending);
     }
     const Outcome outcome = run_there(words);

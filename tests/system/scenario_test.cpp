@@ -208,7 +208,7 @@ TEST(Scenarios, say_what_is_wrong_with_a_table_or_a_call) {
       {sim + "return sim.rovers.B", "there is no rover 'B'; did you mean 'A'?; there are A"},
       {sim + "sim:shade('A', 2)", "sim:shade: 2; a share of the sunlight is 0 to 1"},
       {sim + "sim:shade('B', 0)", "there is no rover 'B'; did you mean 'A'?"},
-      {sim + "sim:load('nowhere')", "nowhere cannot be read"},
+      {sim + "sim:load('nowhere')", "nowhere cannot be opened: No such file"},
       {sim + "t:near(1, '1 parsec', 1)", "'1 parsec': no unit 'parsec'"},
       {sim + "t:near(1, 'a m', 1)", "'a m': "},
       {sim + "t:fails(function() end, 'broken')", "expected an error with 'broken', found none"},

@@ -8,6 +8,8 @@
 #include <fstream>
 #include <thread>
 
+#include "base/error.h"
+
 namespace lsos {
 namespace {
 
@@ -70,6 +72,21 @@ TEST_F(BoundedFile, reads_a_pipe_where_one_is_allowed_and_waits_for_who_writes) 
   writer.join();
   bounds.silence_max = std::chrono::milliseconds(50);
   EXPECT_THAT(read_bounded(pipe, bounds).why, StartsWith("is a pipe into which nothing was"));
+}
+
+TEST_F(BoundedFile, that_the_user_names_may_be_a_pipe) {
+  int ends[2] = {-1, -1};
+  ASSERT_EQ(pipe(ends), 0);
+  ASSERT_EQ(write(ends[1], "rows", 4), 4);
+  close(ends[1]);
+  EXPECT_EQ(read_named_file("/dev/fd/" + std::to_string(ends[0])), "rows");
+  close(ends[0]);
+  try {
+    read_named_file(folder_.string());
+    ADD_FAILURE() << "a folder was read";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr(": is a folder"));
+  }
 }
 
 }  // namespace

@@ -83,7 +83,8 @@ TEST(CsvCell, is_no_formula) {
 }
 
 TEST(CsvCell, has_numbers_as_they_are) {
-  for (const char* text : {"-5", "+10 km/h", "-.5e-3", "-31.5,20.1; -31.4,20.2", "-5 °C", "5"}) {
+  for (const char* text :
+       {"-5", "+10 km/h", "-.5e-3", "-31.5,20.1; -31.4,20.2", "-5 °C", "5", "-"}) {
     EXPECT_EQ(guarded_text(text), text);
   }
 }

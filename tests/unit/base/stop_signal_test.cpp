@@ -1,8 +1,13 @@
 #include "base/stop_signal.h"
 
 #include <gmock/gmock.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <fstream>
 #include <string>
 
 #include "base/child_process.h"
@@ -124,6 +129,42 @@ TEST(FatalSignal, ends_with_a_sentence) {
     EXPECT_EQ(heard.ending.code, 3) << signal;
     EXPECT_THAT(heard.err, HasSubstr("; a run that was under way goes on with 'lsos-host resume'"));
   }
+}
+
+TEST(FatalSignal, of_a_failed_assertion_blames_nobody) {
+  if (test::is_sanitized) GTEST_SKIP() << "the sanitizer has handlers of its own";
+  const Heard heard = in_child([] {
+    catch_fatal_signals();
+    std::terminate();
+    return 0;
+  });
+  EXPECT_EQ(heard.ending.code, 3);
+  EXPECT_THAT(heard.err, HasSubstr("the program or a library has given up (SIGABRT)"));
+}
+
+TEST(FatalSignal, leaves_a_core_dump_to_who_wants_one) {
+  if (test::is_sanitized) GTEST_SKIP() << "the sanitizer has handlers of its own";
+  std::string pattern;
+  std::getline(std::ifstream("/proc/sys/kernel/core_pattern"), pattern);
+  rlimit cores{};
+  getrlimit(RLIMIT_CORE, &cores);
+  if (pattern.find_first_of("|/") != std::string::npos || cores.rlim_max != RLIM_INFINITY) {
+    GTEST_SKIP() << "core dumps go elsewhere, or are not allowed";
+  }
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("lsos_core_" + std::to_string(getpid()));
+  std::filesystem::create_directory(folder);
+  const Heard heard = in_child([&] {
+    std::filesystem::current_path(folder);
+    const rlimit any{cores.rlim_max, cores.rlim_max};
+    setrlimit(RLIMIT_CORE, &any);
+    catch_fatal_signals();
+    std::abort();
+    return 0;
+  });
+  EXPECT_EQ(heard.ending.code, 3);
+  EXPECT_FALSE(std::filesystem::is_empty(folder));
+  std::filesystem::remove_all(folder);
 }
 
 // A stack that has overflowed has no room for a handler.

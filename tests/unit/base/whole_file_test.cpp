@@ -1,5 +1,6 @@
 #include "base/whole_file.h"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -82,10 +83,10 @@ TEST_P(WholeFileTest, is_placed_only_where_the_name_is_free) {
 TEST_P(WholeFileTest, writes_through_no_link) {
   const fs::path victim = folder_ / "victim";
   write_file(victim, "theirs");
-  for (const char* name : {"a.txt", "a.txt.part", "a.txt.2.part"}) {
+  for (const char* name : {"a.txt", "a.txt.lsos-host.part", "a.txt.2.lsos-host.part"}) {
     fs::create_symlink(victim, folder_ / name);
   }
-  fs::create_symlink(folder_ / "not there", folder_ / "b.txt.part");
+  fs::create_symlink(folder_ / "not there", folder_ / "b.txt.lsos-host.part");
   fs::create_hard_link(victim, folder_ / "b.txt");
   replace("a.txt", "ours");
   replace("b.txt", "ours");
@@ -94,16 +95,16 @@ TEST_P(WholeFileTest, writes_through_no_link) {
   EXPECT_FALSE(fs::is_symlink(path("a.txt")));
   EXPECT_EQ(read_file(path("b.txt")), "ours");
   EXPECT_FALSE(fs::exists(path("not there")));
-  EXPECT_EQ(fs::read_symlink(path("a.txt.part")), victim) << "it is not ours";
+  EXPECT_EQ(fs::read_symlink(path("a.txt.lsos-host.part")), victim) << "it is not ours";
   EXPECT_EQ(count(), 6) << "no further file";
 }
 
 TEST_P(WholeFileTest, leaves_a_strangers_part_alone) {
-  write_file(path("a.txt.part"), "a download");
-  fs::create_directory(path("b.txt.part"));
+  write_file(path("a.txt.lsos-host.part"), "of another run");
+  fs::create_directory(path("b.txt.lsos-host.part"));
   replace("a.txt", "ours");
   replace("b.txt", "ours");
-  EXPECT_EQ(read_file(path("a.txt.part")), "a download");
+  EXPECT_EQ(read_file(path("a.txt.lsos-host.part")), "of another run");
   EXPECT_EQ(read_file(path("b.txt")), "ours");
 }
 
@@ -126,6 +127,24 @@ TEST_P(WholeFileTest, refuses_what_is_no_file) {
   EXPECT_THAT(refusal(path("folder/")), HasSubstr("folder/: Is a directory"));
   EXPECT_THAT(refusal(path("none/a.txt")), HasSubstr("none/a.txt: No such file or directory"));
   EXPECT_EQ(count(), 3);
+}
+
+// `--junit /dev/stdout > FILE`: /dev/stdout leads to FILE, and root may replace it.
+TEST_P(WholeFileTest, replaces_no_link_of_the_machine) {
+  const std::string file = path("a.txt");
+  write_file(file, "theirs");
+  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  for (const char* folder : {"/proc/self/fd/", "/dev/fd/"}) {
+    const std::string name = folder + std::to_string(descriptor);
+    try {
+      WholeFile whole(name, GetParam());
+      ADD_FAILURE() << name;
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), HasSubstr(name + ": lies in a folder of the machine"));
+    }
+  }
+  ::close(descriptor);
+  EXPECT_EQ(read_file(file), "theirs");
 }
 
 TEST_P(WholeFileTest, has_a_name_as_long_as_there_are) {

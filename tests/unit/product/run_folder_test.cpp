@@ -296,12 +296,14 @@ TEST(RunFolder, removes_what_a_kill_left_half_written) {
   const TestFolder folder;
   const std::string path = folder / "a";
   begin(RunFolder(path, false));
-  write_file(path + "/overlay.kml.part", "half");
-  fs::create_directory(path + "/summary.json.part");
+  write_file(path + "/overlay.kml.lsos-host.part", "half");
+  write_file(path + "/report.html.part", "a download");
+  fs::create_directory(path + "/summary.json.lsos-host.part");
   RunFolder run(path, true);
   begin(run);
-  EXPECT_FALSE(fs::exists(path + "/overlay.kml.part"));
-  EXPECT_TRUE(fs::exists(path + "/summary.json.part")) << "no file of ours";
+  EXPECT_FALSE(fs::exists(path + "/overlay.kml.lsos-host.part"));
+  EXPECT_EQ(read_file(path + "/report.html.part"), "a download");
+  EXPECT_TRUE(fs::exists(path + "/summary.json.lsos-host.part")) << "no file of ours";
 }
 
 }  // namespace

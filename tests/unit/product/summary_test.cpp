@@ -184,7 +184,7 @@ TEST(Summary, is_written_whole) {
   const TestFolder folder;
   write_summary(folder.path(), test_summary());
   EXPECT_EQ(read_file(folder / "summary.json"), to_json(test_summary()));
-  EXPECT_FALSE(read_file(folder / "summary.json.part"));
+  EXPECT_FALSE(read_file(folder / "summary.json.lsos-host.part"));
 }
 
 TEST(Summary, says_why_it_cannot_be_written) {
