@@ -24,8 +24,8 @@ struct FileIdentity {
 // Absent where there is none.
 std::optional<FileIdentity> identity_of(const std::string& file);
 
-// Of a regular file that the program itself keeps; what the user names is for read_named_file() of
-// bounded_file.h. Absent when it cannot be read.
+// The bytes of a regular file that the program itself keeps; what the user names is for
+// read_named_file() of bounded_file.h. Absent when it cannot be read.
 std::optional<std::string> read_file(const std::string& file);
 
 }  // namespace lsos

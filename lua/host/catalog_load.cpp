@@ -12,6 +12,7 @@
 #include "lua/api/terrain_constructors.h"
 #include "lua/host/catalog.h"
 #include "lua/host/event_library.h"
+#include "lua/host/load_budget.h"
 #include "lua/host/part_faults.h"
 #include "lua/runtime/loader.h"
 #include "lua/runtime/text_literal.h"
@@ -187,77 +188,6 @@ void Catalog::load_rover_script(LuaState& lua, const Script& script, Faults& fau
     }
   });
 }
-
-namespace {
-
-// The folder that has events/, terrain/soils/ and the like.
-std::string folder_of_scripts(const Script& script) {
-  const std::filesystem::path above = std::filesystem::path(script.folder).parent_path();
-  return (script.kind == ScriptKind::soil ? above.parent_path() : above).string();
-}
-
-// What the scripts of one folder that are not shipped may take to load, each within the limits of
-// one call. The processor's time is a last resort, as that of one call.
-class LoadBudget {
- public:
-  explicit LoadBudget(LuaState& lua) : lua_(lua), context_(lua.context()) {}
-
-  // Loads the script by `load`, or adds that there is nothing left for it.
-  void spend(const Script& script, Faults& faults, const std::function<void()>& load) {
-    if (script.is_shipped) return load();
-    Spent& spent = spent_[folder_of_scripts(script)];
-    if (spent.instructions > instructions_max || spent.cpu_s > cpu_max_s) {
-      faults.error({script.file, 0},
-                   spent.instructions > instructions_max
-                       ? fmt::format("is not loaded: the scripts of a folder may take {} million "
-                                     "instructions together to load",
-                                     instructions_max / 1'000'000)
-                       : fmt::format("is not loaded: the scripts of a folder may take {} s of the "
-                                     "processor's time together to load",
-                                     cpu_max_s));
-      return;
-    }
-    const std::int64_t before = context_.instructions_of_calls;
-    const std::size_t bytes_before = context_.memory.bytes();
-    const double begin_s = cpu_now_s();
-    load();
-    spent.instructions += context_.instructions_of_calls - before;
-    spent.cpu_s += cpu_now_s() - begin_s;
-    spent.kept += kept_since(bytes_before);
-    if (spent.kept <= kept_max) return;
-    faults.error({script.file, 0}, fmt::format("is not loaded: the scripts of a folder may keep {} "
-                                               "MiB of texts and tables together",
-                                               kept_max >> 20));
-  }
-
- private:
-  static constexpr std::int64_t instructions_max = 100'000'000;
-  static constexpr double cpu_max_s = 20;
-  static constexpr std::size_t kept_max = std::size_t{64} << 20;
-  // So little is not worth a collection; what has been thrown away then counts, too.
-  static constexpr std::size_t small = std::size_t{64} << 10;
-
-  struct Spent {
-    std::int64_t instructions = 0;
-    double cpu_s = 0;
-    std::size_t kept = 0;
-  };
-
-  // Bytes that a script keeps; what it has thrown away is not counted.
-  std::size_t kept_since(std::size_t bytes_before) {
-    const std::size_t bytes = context_.memory.bytes();
-    if (bytes <= bytes_before + small) return bytes - std::min(bytes, bytes_before);
-    std::size_t kept = 0;
-    lua_.run([&](lua_State* L) { kept = context_.memory.kept_bytes(L); });
-    return kept - std::min(kept, bytes_before);
-  }
-
-  LuaState& lua_;
-  LuaContext& context_;
-  std::map<std::string, Spent> spent_;  // by folder of scripts
-};
-
-}  // namespace
 
 void Catalog::load_one(EventLibrary& library, const Script& script, Faults& faults,
                        Faults& event_faults) {

@@ -194,9 +194,8 @@ LuaHost::LuaHost(const Catalog& catalog, const Limits& limits)
   Faults faults;
   impl_->library.lua().context().scripts = &catalog.scripts();
   for (const Script& script : catalog.scripts()) {
-    if (script.kind == ScriptKind::event && impl_->declarations.events.contains(script.name)) {
-      impl_->library.load(script, faults);
-    }
+    if (script.kind != ScriptKind::event) continue;
+    if (impl_->declarations.events.contains(script.name)) impl_->library.load(script, faults);
   }
   impl_->library.lua().context().scripts = nullptr;
   LSOS_ASSERT(!faults.has_errors());  // the catalog has loaded the same sources

@@ -265,7 +265,7 @@ TEST_F(Branch, refuses_telemetry_from_which_it_cannot_go_on) {
     return refusal({"--at", "10 s", "--measured", folder_.write("t.csv", rows)});
   };
   EXPECT_THAT(refusal({"--at", "10 s", "--measured", "nowhere.csv"}),
-              HasSubstr("nowhere.csv: no such file"));
+              HasSubstr("nowhere.csv: cannot be opened: No such file"));
   EXPECT_THAT(refusal_of("time_s,charge\n20,0.5\n"),
               HasSubstr("has no place, heading or charge of any rover up to 0:00:10"));
   EXPECT_THAT(refusal_of("time_s,speed_mps\n2,0.5\n"), HasSubstr("has no place, heading or"));

@@ -331,8 +331,9 @@ TEST(Log, ends_at_its_greatest_size_and_stays_readable) {
 TEST(Log, is_read_in_pieces_that_fit_into_memory) {
   const TestFolder folder;
   LogWriter log(folder / "log.gpkg", moon_crs, test_start());
+  const std::string fields = "{\"text\":\"" + std::string(std::size_t{1} << 20, 'x') + "\"}";
   for (int k = 0; k < 40; ++k) {
-    log.write(NoteRow{SimTime{}, "SEV1", k, "note", std::string(std::size_t{1} << 20, 'x'), {}});
+    log.write(NoteRow{SimTime{}, "SEV1", k, "note", fields, {}});
   }
   log.finish();
   const LogReader reader(folder / "log.gpkg");
