@@ -51,8 +51,8 @@ constexpr std::pair<std::string_view, std::string_view> plain_words[]{
 std::string QuietErrors::message() const {
   if (message_.empty()) return "the GeoPackage driver gives no reason";
   const std::string reason = without_statement(message_);
-  const auto* const known =
-      std::ranges::find(plain_words, reason, [](const auto& entry) { return entry.first; });
+  const auto* const known = std::ranges::find_if(
+      plain_words, [&](const auto& entry) { return reason.ends_with(entry.first); });
   return known == std::end(plain_words) ? reason : std::string(known->second);
 }
 

@@ -147,7 +147,7 @@ TEST(PathPlanReport, a_folder_where_routes_would_be_kept_is_warned_of) {
   std::filesystem::create_directory(plan + ".routes");
   const Outcome check = run({"check", plan});
   EXPECT_EQ(check.exit_code, 0) << check.err;
-  EXPECT_THAT(check.out, HasSubstr("plan.kml.routes: warning: it is no file"));
+  EXPECT_THAT(check.out, HasSubstr("plan.kml.routes: warning: holds something else"));
   EXPECT_THAT(check.out, HasSubstr("planned: R 'PathPlanRoute 1' to waypoint 1: "));
 }
 
