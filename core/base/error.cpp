@@ -101,7 +101,7 @@ std::string did_you_mean(std::string_view name, std::span<const std::string> kno
     const std::string other = lower(candidate);
     const int distance = edit_distance(wanted, other);
     // One or two letters, such as a rover's id, are near to each other whatever they are.
-    const bool is_short = std::min(wanted.size(), other.size()) < 3;
+    const bool is_short = std::max(wanted.size(), other.size()) < 3;
     const bool begins = wanted.starts_with(other) || other.starts_with(wanted);
     if (distance < best && (!is_short || begins)) {
       best = distance;
