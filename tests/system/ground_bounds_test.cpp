@@ -103,7 +103,7 @@ const std::vector<Folder> grounds = {
                 fs::remove(folder / "dem.prj");
                 make_sparse(folder / "dem.prj");
               },
-              2, {"dem.asc", "gdal_translate makes a GeoTIFF"}),
+              2, {"dem.asc", "has no coordinate reference system"}),
     large_vrt("vrt_of_100_gib", "v0.vrt", hundred_gib),
     large_vrt("vrt_of_100_gib_in_capitals", "v0.VRT", hundred_gib),
     large_vrt("vrt_of_100_gib_that_is_called_a_geotiff", "v0.tif", hundred_gib),
