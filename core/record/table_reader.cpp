@@ -1,0 +1,79 @@
+#include "record/table_reader.h"
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "record/gpkg.h"
+
+namespace lsos {
+
+namespace {
+
+ColumnType type_of(const OGRFieldDefn& field) {
+  switch (field.GetType()) {
+    case OFTInteger:
+    case OFTInteger64:
+      return ColumnType::integer;
+    case OFTReal:
+      return ColumnType::real;
+    case OFTDateTime:
+      return ColumnType::utc;
+    default:
+      return ColumnType::text;
+  }
+}
+
+}  // namespace
+
+struct TableReader::Impl {
+  std::string file;
+  gpkg::Dataset dataset;
+
+  OGRLayer& layer(const std::string& name) const {
+    OGRLayer* found = dataset->GetLayerByName(name.c_str());
+    if (found == nullptr) throw InputError({file}, fmt::format("has no layer '{}'", name));
+    return *found;
+  }
+};
+
+TableReader::TableReader(const std::string& file) : impl_(std::make_unique<Impl>()) {
+  const gpkg::QuietErrors errors;
+  impl_->file = file;
+  impl_->dataset = gpkg::open_to_read(file);
+  if (!impl_->dataset) throw InputError({file}, errors.message());
+}
+
+TableReader::~TableReader() = default;
+
+std::vector<TableColumn> TableReader::columns(const std::string& layer) const {
+  const gpkg::QuietErrors errors;
+  OGRFeatureDefn& definition = *impl_->layer(layer).GetLayerDefn();
+  std::vector<TableColumn> columns;
+  for (int i = 0; i < definition.GetFieldCount(); ++i) {
+    const OGRFieldDefn& field = *definition.GetFieldDefn(i);
+    columns.push_back({field.GetNameRef(), type_of(field)});
+  }
+  return columns;
+}
+
+std::vector<TableRow> TableReader::rows(const std::string& layer) const {
+  const std::vector<TableColumn> of = columns(layer);
+  const gpkg::QuietErrors errors;
+  OGRLayer& source = impl_->layer(layer);
+  source.ResetReading();
+  std::vector<TableRow> rows;
+  while (const gpkg::Feature feature{source.GetNextFeature()}) {
+    TableRow row;
+    for (std::size_t i = 0; i < of.size(); ++i) {
+      row.values.push_back(gpkg::value(*feature, static_cast<int>(i), of[i].type));
+    }
+    row.place = gpkg::point(*feature);
+    rows.push_back(std::move(row));
+  }
+  if (errors.has_failed()) {
+    throw InputError({impl_->file}, "cannot be read: " + errors.message());
+  }
+  return rows;
+}
+
+}  // namespace lsos
