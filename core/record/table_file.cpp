@@ -46,7 +46,8 @@ TableFile::~TableFile() {
 void TableFile::begin(const TableLayer& layer) {
   const gpkg::QuietErrors errors;
   LayerSpec spec{layer.name, layer.geometry, {}};
-  for (const TableColumn& column : layer.columns) spec.columns.push_back({column.name, column.type});
+  for (const TableColumn& column : layer.columns)
+    spec.columns.push_back({column.name, column.type});
   impl_->feature.reset();
   impl_->layer = gpkg::create_layer(*impl_->dataset, spec, impl_->crs);
   if (impl_->layer == nullptr) impl_->fail(errors);

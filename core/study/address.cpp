@@ -59,8 +59,8 @@ Parsed<Address> with_field(Address address, const std::string& name, bool may_ha
   if (may_have_place) names.emplace_back(place_name);
   if (std::ranges::count(names, name) > 0) return {address, ""};
   if (std::ranges::find(fixed, name) != fixed.end()) {
-    return refused(fmt::format("{} of {} stays as it is drawn: it says what the Placemark is",
-                               name, type));
+    return refused(
+        fmt::format("{} of {} stays as it is drawn: it says what the Placemark is", name, type));
   }
   const std::string hint = did_you_mean(name, names);
   return refused(fmt::format("{} has no field '{}'{}", type, name,
@@ -82,8 +82,8 @@ Parsed<Address> of_thing(Address::Of of, std::string_view rest, const std::vecto
   const std::optional<std::string> id = owner_in(rest, ids);
   if (!id) {
     const std::string wanted(rest.substr(0, rest.find('.')));
-    return refused(fmt::format("the plan has no {} '{}'{}", noun, wanted,
-                               did_you_mean(wanted, ids)));
+    return refused(
+        fmt::format("the plan has no {} '{}'{}", noun, wanted, did_you_mean(wanted, ids)));
   }
   Address address;
   address.of = of;
@@ -113,8 +113,8 @@ Parsed<Address> of_named_event(const std::string& text, const Plan& plan,
   const std::vector<const PlanEvent*> meant = events.meanings(owner);
   if (meant.size() == 1) return of_event(*meant.front(), name, plan, declarations);
   if (meant.size() > 1) {
-    return refused(fmt::format("{} events are called '{}'; ROVER/SEQUENCE says which", meant.size(),
-                               owner));
+    return refused(
+        fmt::format("{} events are called '{}'; ROVER/SEQUENCE says which", meant.size(), owner));
   }
   std::vector<std::string> known{"MissionInfo"};
   for (const PlanEvent& event : plan.events) {

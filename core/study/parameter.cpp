@@ -39,8 +39,8 @@ class ParameterReader {
     if (parameter.is_place()) return with_radius(std::move(parameter));
     set_style(parameter);
     if (variation_.is_factor && !set_base(parameter)) return {};
-    const bool is_read = variation_.form == Form::list ? read_list(parameter)
-                                                       : read_numbers(parameter);
+    const bool is_read =
+        variation_.form == Form::list ? read_list(parameter) : read_numbers(parameter);
     if (!is_read) return {};
     return parameter;
   }
@@ -174,8 +174,8 @@ class ParameterReader {
     const Parsed<double> value = parse_quantity(text, *unit);
     if (!value) return refuse(value.why);
     if (!(*value.value > 0)) {
-      return refuse(fmt::format("{}: '{}': more than 0 is wanted", to_string(variation_.form),
-                                text));
+      return refuse(
+          fmt::format("{}: '{}': more than 0 is wanted", to_string(variation_.form), text));
     }
     return value.value;
   }
@@ -323,8 +323,8 @@ std::string drawn_text(const Parameter& parameter, double share) {
     const auto index = static_cast<std::size_t>(share * static_cast<double>(count));
     return parameter.choices[std::min(index, count - 1)];
   }
-  const bool is_whole = parameter.style.field != nullptr &&
-                        parameter.style.field->kind == FieldKind::integer;
+  const bool is_whole =
+      parameter.style.field != nullptr && parameter.style.field->kind == FieldKind::integer;
   if (is_whole && std::holds_alternative<Uniform>(*parameter.distribution)) {
     // Each whole number of the interval is as likely as the others, also the last.
     const auto [from, to] = std::get<Uniform>(*parameter.distribution);
@@ -351,9 +351,8 @@ std::vector<Parameter> parameters_of(const Study& study, const ParameterContext&
     if (!parameter) continue;
     const auto [first, is_new] = known.emplace(parameter->name(), variation.place);
     if (!is_new) {
-      faults.error(variation.place,
-                   fmt::format("vary '{}': varies already, see {}", variation.of,
-                               line_text(first->second, variation.place.file)));
+      faults.error(variation.place, fmt::format("vary '{}': varies already, see {}", variation.of,
+                                                line_text(first->second, variation.place.file)));
       continue;
     }
     parameters.push_back(std::move(*parameter));
@@ -371,7 +370,8 @@ Draw draw(const Parameter& parameter, const std::map<std::string, double>& share
     const double angle_rad = 2 * std::numbers::pi * shares.at(name + ".angle"),
                  radius_m = parameter.radius_m * std::sqrt(shares.at(name + ".radius"));
     drawn.offset_m = {radius_m * std::sin(angle_rad), radius_m * std::cos(angle_rad)};
-    drawn.values = {{name + ".east_m", drawn.offset_m.x()}, {name + ".north_m", drawn.offset_m.y()}};
+    drawn.values = {{name + ".east_m", drawn.offset_m.x()},
+                    {name + ".north_m", drawn.offset_m.y()}};
     return drawn;
   }
   drawn.text = drawn_text(parameter, shares.at(name));

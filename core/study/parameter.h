@@ -55,8 +55,8 @@ std::vector<Parameter> parameters_of(const Study& study, const ParameterContext&
 // What a case has in place of the plan's own.
 struct Draw {
   Address address;
-  std::string text;            // as the plan has it; "" of a place
-  Vec2 offset_m{0, 0};         // of a place: how far it is moved east and north
+  std::string text;     // as the plan has it; "" of a place
+  Vec2 offset_m{0, 0};  // of a place: how far it is moved east and north
   // Columns of the study: name and value in SI. A place has two.
   using Value = std::variant<bool, std::int64_t, double, std::string>;
   std::vector<std::pair<std::string, Value>> values;

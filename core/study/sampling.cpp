@@ -84,8 +84,8 @@ std::map<std::string, double> Sampler::shares(std::int64_t number) const {
         break;
       case Sampling::latin_hypercube: {
         const auto stratum = permuted_[i][static_cast<std::size_t>(number - 1)];
-        shares[name] = std::min((static_cast<double>(stratum) + drawn) / static_cast<double>(cases_),
-                                1 - 0x1.0p-53);
+        shares[name] = std::min(
+            (static_cast<double>(stratum) + drawn) / static_cast<double>(cases_), 1 - 0x1.0p-53);
         break;
       }
       case Sampling::sobol:

@@ -35,7 +35,7 @@ class Sampler {
   Sampling sampling_;
   std::uint64_t seed_;
   std::int64_t cases_;
-  std::vector<Dimension> dimensions_;                 // in byte order of their names
+  std::vector<Dimension> dimensions_;                // in byte order of their names
   std::vector<std::vector<std::int64_t>> permuted_;  // of a Latin hypercube: strata by case
 };
 

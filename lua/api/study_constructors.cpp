@@ -118,23 +118,25 @@ void read_vary(TableReader& t, Variation& variation) {
          return named_values(t, "normal", std::array{"mean", "deviation", "min", "max"});
        });
   form("triangular", Form::triangular, "table",
-       "A most likely value between two: { min = 2, mode = 3, max = 6 }.",
-       [&] { return named_values(t, "triangular", std::array{"min", "mode", "max"}); });
+       "A most likely value between two: { min = 2, mode = 3, max = 6 }.", [&] {
+         return named_values(t, "triangular", std::array{"min", "mode", "max"});
+       });
   form("within", Form::within, "length",
        "Of a place: anywhere within this distance, m or a text such as '50 m'.", [&] {
          auto text = plan_text(t.L());
-         if (!text) t.fault(fmt::format("within: a length is wanted, found {}",
-                                        describe(t.L(), -1)));
+         if (!text)
+           t.fault(fmt::format("within: a length is wanted, found {}", describe(t.L(), -1)));
          return std::vector<std::string>{text.value_or("")};
        });
   if (t.L() == nullptr) return;
   variation.place = t.place();
   if (given.size() != 1) {
-    t.fault(fmt::format("'{}': {}; exactly one of list, range, uniform, normal, triangular and "
-                        "within says how it varies",
-                        variation.of, given.empty() ? "no values are given"
-                                                    : fmt::format("{} are given",
-                                                                  fmt::join(given, " and "))));
+    t.fault(
+        fmt::format("'{}': {}; exactly one of list, range, uniform, normal, triangular and "
+                    "within says how it varies",
+                    variation.of,
+                    given.empty() ? "no values are given"
+                                  : fmt::format("{} are given", fmt::join(given, " and "))));
   }
 }
 
@@ -170,8 +172,8 @@ void read_gather(TableReader& t, Gathering& gathering) {
   if (has_share) gathering.take = Take::share;
   const bool is_path = has_path && !has_event && !has_quantity && !has_share && !has_rover;
   const bool is_event = has_event && has_quantity && !has_path && !has_share && !extreme;
-  const bool is_extreme = extreme && has_rover && has_quantity && !has_path && !has_event &&
-                          !has_share;
+  const bool is_extreme =
+      extreme && has_rover && has_quantity && !has_path && !has_event && !has_share;
   const bool is_share = has_share && has_rover && !has_path && !has_quantity && !has_event;
   if (is_path || is_event || is_extreme || is_share) return;
   t.fault(
@@ -186,8 +188,7 @@ void read_study(TableReader& t, Study& study) {
   t.integer(optional, "cases", study.cases, {1, static_cast<double>(cases_max)},
             "How many cases; of a grid all of it by default.");
   std::int64_t seed = 0;
-  t.integer(optional, "seed", seed, {0, 9007199254740992.0},
-            "Root seed of all draws (default 0).");
+  t.integer(optional, "seed", seed, {0, 9007199254740992.0}, "Root seed of all draws (default 0).");
   study.seed = static_cast<std::uint64_t>(seed);
   constexpr std::pair<const char*, Sampling> samplings[] = {
       {"random", Sampling::random},
@@ -219,9 +220,10 @@ void read_study(TableReader& t, Study& study) {
 }  // namespace
 
 std::vector<Constructor> study_constructors() {
-  return {constructor<Study, read_study>("study", "What a study's file returns: many runs of a plan."),
-          constructor<Variation, read_vary>(vary_kind, "One thing that varies."),
-          constructor<Gathering, read_gather>(gather_kind, "What is gathered of each case.")};
+  return {
+      constructor<Study, read_study>("study", "What a study's file returns: many runs of a plan."),
+      constructor<Variation, read_vary>(vary_kind, "One thing that varies."),
+      constructor<Gathering, read_gather>(gather_kind, "What is gathered of each case.")};
 }
 
 }  // namespace lsos

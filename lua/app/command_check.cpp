@@ -178,7 +178,9 @@ SimulationSetup check_setup(const MissionFiles& files, const CheckOptions& optio
                             PlanningWatch& watch, std::vector<Fault>& not_kept) {
   SimulationSetup setup = simulation_setup(files);
   setup.threads = options.threads;
-  setup.cache_legs = [&](const std::string& bytes) { not_kept = cache_legs(options.plan, bytes); };
+  setup.cache_legs = [&](const std::string& bytes) {
+    not_kept = cache_legs(files.plan.home, bytes);
+  };
   setup.on_planning = [&](const std::string& what) { watch.plan(what); };
   return setup;
 }
@@ -208,7 +210,7 @@ int check_command(const CheckOptions& options) {
       PlanningWatch watch(options.is_quiet);
       SimulationSetup setup = check_setup(files, options, watch, not_kept);
       setup.is_estimate = setup.keeps_sight = true;
-      files.faults.add(cached_legs_advice(options.plan));
+      files.faults.add(cached_legs_advice(files.plan.home));
       Simulation simulation(std::move(setup));
       for (const std::string& line : simulation.assumptions()) files.assumptions.push_back(line);
       files.faults.add(simulation.advice());

@@ -16,6 +16,7 @@
 #include "lua/app/place_options.h"
 #include "lua/host/mission_reader.h"
 #include "lua/host/script_folders.h"
+#include "lua/session/new_study_text.h"
 #include "lua/session/new_text.h"
 #include "mission/model/site.h"
 #include "plan/kml_writer.h"
@@ -28,7 +29,7 @@ namespace {
 // A script that works to begin from, and a scenario that tests it; or a plan. Says in JSON or for
 // people which files it wrote.
 struct NewOptions {
-  std::string what;  // event, rover, terrain, scenario, plan
+  std::string what;  // event, rover, terrain, scenario, plan, study
   std::string name;
   std::string from;  // a rover type; of a terrain a raster; "": SEV, or synthetic ground
   std::string planet, terrain, site;  // of a plan; "": Moon, Craters, 0,0
@@ -101,12 +102,13 @@ NewFiles new_terrain(const NewOptions& options, const Catalog& catalog) {
 // Throws InputError for options that do not apply to what is made.
 void refuse_stray_options(const NewOptions& options) {
   const bool is_plan = options.what == "plan";
+  const bool takes_from =
+      options.what == "plan" || options.what == "rover" || options.what == "terrain";
   const auto refuse = [&](bool is_given, const char* option) {
     if (!is_given) return;
     throw InputError({}, fmt::format("{} says nothing of a new {}", option, options.what));
   };
-  refuse(!options.from.empty() && (options.what == "event" || options.what == "scenario"),
-         "--from");
+  refuse(!options.from.empty() && !takes_from, "--from");
   refuse(!is_plan && !options.planet.empty(), "--planet");
   refuse(!is_plan && !options.terrain.empty(), "--terrain");
   refuse(!is_plan && !options.site.empty(), "--site");
@@ -144,7 +146,16 @@ NewFiles new_plan_file(const NewOptions& options, const Catalog& catalog) {
   return {{"plan", {options.name + ".kml", write_kml(new_plan(plan, kinds_of(catalog, {})))}}};
 }
 
+// Of a plan in any folder; the study lies in the working folder.
+NewFiles new_study(const NewOptions& options) {
+  const MissionFiles mission = read_mission(options.name);
+  mission.faults.throw_if_errors();
+  const std::string stem = fs::path(options.name).stem().string();
+  return {{"study", {stem + "_study.lua", new_study_text(mission, options.name)}}};
+}
+
 NewFiles new_files(const NewOptions& options, const Catalog& catalog) {
+  if (options.what == "study") return new_study(options);
   if (options.what == "event") return new_event(options, catalog);
   if (options.what == "rover") return new_rover(options, catalog);
   if (options.what == "terrain") return new_terrain(options, catalog);
@@ -164,14 +175,14 @@ void add_editor_settings(NewFiles& files) {
 }
 
 int new_command(const NewOptions& options) {
-  check_word(options);
+  if (options.what != "study") check_word(options);
   refuse_stray_options(options);
   const std::shared_ptr<const Catalog> catalog = read_catalog("");
   NewFiles files = new_files(options, *catalog);
   for (const auto& [what, file] : files) {
     if (fs::exists(file.first)) throw InputError({file.first, 0}, "is there already");
   }
-  if (options.what != "plan") add_editor_settings(files);
+  if (options.what != "plan" && options.what != "study") add_editor_settings(files);
   nlohmann::ordered_json wrote;
   std::vector<std::string> names;
   for (const auto& [what, file] : files) {
@@ -190,6 +201,7 @@ int new_command(const NewOptions& options) {
   const std::string& first = files.front().second.first;
   std::string next = "test tests/scenarios/" + options.name + ".lua";
   if (options.what == "plan") next = first;
+  if (options.what == "study") next = "sweep " + first;
   if (options.what == "terrain") next = "list terrains " + options.name;
   print_result("wrote {}\ntry it: lsos-host {}\n", fmt::join(names, ", "), next);
   return 0;
@@ -199,10 +211,13 @@ int new_command(const NewOptions& options) {
 
 std::function<int()> prepare_new(CommandOptions& command) {
   const auto options = std::make_shared<NewOptions>();
-  command.add_option("WHAT", options->what, "plan, event, rover, terrain or scenario")
+  command.add_option("WHAT", options->what, "plan, event, rover, terrain, scenario or study")
       .required()
-      .one_of({"plan", "event", "rover", "terrain", "scenario"});
-  command.add_option("NAME", options->name, "What it shall be called: DropBeacon").required();
+      .one_of({"plan", "event", "rover", "terrain", "scenario", "study"});
+  command
+      .add_option("NAME", options->name,
+                  "What it shall be called: DropBeacon; of a study, the plan: PLAN.kml")
+      .required();
   command.add_option("--from", options->from, "A rover type (SEV); of a terrain a raster");
   command.add_option("--planet", options->planet, "Of a plan: Moon, Mars or Earth (Moon)");
   command.add_option("--terrain", options->terrain, "Of a plan: a script or raster (Craters)");

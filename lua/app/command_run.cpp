@@ -24,7 +24,7 @@ int run_files(MissionFiles files, const RunOptions& options,
   files.faults.throw_if_errors();
   if (!options.from.empty()) begin_from(options.from, files);
   files.faults.throw_if_errors();
-  files.faults.add(cached_legs_advice(options.plan));
+  files.faults.add(cached_legs_advice(files.plan.home));
   for (const Fault& fault : files.faults.sorted()) {
     if (!options.is_quiet) print_message("{}\n", to_string(fault));
   }

@@ -52,6 +52,11 @@ void Progress::show_mission(double share, double sim_s, std::optional<double> le
                           what.empty() ? "" : ", " + what));
 }
 
+void Progress::show_state(double share, const std::string& state, std::optional<double> left_s) {
+  if (!is_due()) return;
+  draw(share, left_s ? fmt::format("{}, {} left", state, rough_time(*left_s)) : state);
+}
+
 void Progress::draw(double share, const std::string& state) {
   drawn_ = Clock::now();
   const int full = static_cast<int>(share * bar_width);

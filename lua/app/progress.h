@@ -18,6 +18,8 @@ class Progress {
   // `what`: what is being done.
   void show_mission(double share, double sim_s, std::optional<double> left_s,
                     const std::string& what);
+  // Shows what else is said of how far it is. `left_s`: as above.
+  void show_state(double share, const std::string& state, std::optional<double> left_s);
   // Ten times a second on a terminal, else once a minute: what is to be shown need not be found out
   // more often.
   bool is_due() const;

@@ -159,7 +159,7 @@ SimulationSetup run_setup(const MissionFiles& files, const OutcomeOptions& optio
   SimulationSetup setup = simulation_setup(files);
   setup.threads = options.threads;
   setup.keeps_sight = true;
-  setup.cache_legs = [file = files.plan.file](const std::string& bytes) {
+  setup.cache_legs = [file = files.plan.home](const std::string& bytes) {
     cache_legs(file, bytes);
   };
   setup.on_planning = [&watch](const std::string& what) { watch.plan(what); };
@@ -169,7 +169,7 @@ SimulationSetup run_setup(const MissionFiles& files, const OutcomeOptions& optio
 int run_to_end(MissionUnderWay mission, const OutcomeOptions& options) {
   Simulation& simulation = mission.simulation;
   const int stopped_by = simulate(simulation, mission.checkpoints, options.is_quiet);
-  for (const Fault& fault : cache_legs(mission.files.plan.file, simulation.cached_legs())) {
+  for (const Fault& fault : cache_legs(mission.files.plan.home, simulation.cached_legs())) {
     if (!options.is_quiet) print_message("{}\n", to_string(fault));
   }
   const bool can_resume = stopped_by != 0 && mission.checkpoints.is_on();

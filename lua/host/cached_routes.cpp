@@ -4,8 +4,10 @@
 
 #include <filesystem>
 
+#include "base/file_lock.h"
 #include "base/files.h"
 #include "lua/host/version.h"
+#include "mission/routes/planned_legs.h"
 #include "route/refine/optimise.h"
 
 namespace lsos {
@@ -13,6 +15,9 @@ namespace lsos {
 namespace {
 
 constexpr const char* cached_legs_suffix = ".routes";
+
+// Files larger than this are not added to: reading one costs each run more than it saves.
+constexpr std::size_t kept_bytes_max = std::size_t{32} << 20;
 
 // Another build may plan otherwise: what it kept is not ours.
 std::string program_stamp() {
@@ -53,7 +58,11 @@ std::vector<Fault> cache_legs(const std::string& plan_file, const std::string& b
   const bool is_file = std::filesystem::is_regular_file(plan_file, ignored);  // no pipe
   if (bytes.empty() || !is_file || !cached_legs_advice(plan_file).empty()) return {};
   try {
-    write_file(plan_file + cached_legs_suffix, program_stamp() + bytes);
+    const FileLock lock(plan_file);
+    const std::string kept = read_cached_legs(plan_file);
+    // The cases of a study may each need legs of their own, which no other will ask for.
+    if (kept.size() > kept_bytes_max) return {};
+    write_file(plan_file + cached_legs_suffix, program_stamp() + merged_legs(kept, bytes));
     return {};
   } catch (const std::runtime_error& error) {
     return {{Severity::warning,

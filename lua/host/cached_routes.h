@@ -12,7 +12,8 @@ namespace lsos {
 std::string read_cached_legs(const std::string& plan_file);
 // A warning where something else has that name: then nothing is kept.
 std::vector<Fault> cached_legs_advice(const std::string& plan_file);
-// Where the plan's folder is not ours to write to, nothing is kept, and the answer is a warning of
+// Adds legs to those that are kept, also where several processes do so at once. Where the plan's
+// folder is not ours to write to, nothing is kept, and the answer is a warning of
 // that: the next run plans again.
 std::vector<Fault> cache_legs(const std::string& plan_file, const std::string& bytes);
 

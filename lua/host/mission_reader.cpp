@@ -253,7 +253,7 @@ SimulationSetup simulation_setup(const MissionFiles& files) {
       rover.heading_rad = start->second.heading_rad;
     }
   }
-  setup.cached_legs = read_cached_legs(files.plan.file);
+  setup.cached_legs = read_cached_legs(files.plan.home);
   setup.make_host = [catalog = files.catalog] { return std::make_unique<LuaHost>(*catalog); };
   return setup;
 }

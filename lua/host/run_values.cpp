@@ -46,14 +46,20 @@ std::map<std::string, std::string> run_values(const MissionFiles& files,
     values[site_lon_key] = fmt::format("{}", files.from->site.lon_rad);
     values[site_lat_key] = fmt::format("{}", files.from->site.lat_rad);
   }
+  values.merge(script_digests(files));
+  return values;
+}
+
+std::map<std::string, std::string> script_digests(const MissionFiles& files) {
+  std::map<std::string, std::string> digests;
   const ScriptUse use(*files.catalog, files.plan, files.terrain);
   for (const Script& script : files.catalog->scripts()) {
     if (!use.has(script)) continue;
     constexpr const char* kinds[] = {"event", "rover", "terrain", "soil", "lib"};
-    values[fmt::format("{}_{}_sha256", kinds[static_cast<int>(script.kind)], script.name)] =
+    digests[fmt::format("{}_{}_sha256", kinds[static_cast<int>(script.kind)], script.name)] =
         script.sha256;
   }
-  return values;
+  return digests;
 }
 
 }  // namespace lsos

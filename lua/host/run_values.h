@@ -16,6 +16,9 @@ inline constexpr const char* from_key = "from_log_sha256";
 std::map<std::string, std::string> run_values(const MissionFiles& files,
                                               const Simulation& simulation);
 
+// Digests of the scripts that a mission uses, by "rover_SEV_sha256".
+std::map<std::string, std::string> script_digests(const MissionFiles& files);
+
 // Tells the plan of a run that began as another had ended where its site is. `run`: those values.
 void restore_site(const std::map<std::string, std::string>& run, Plan& plan);
 

@@ -1,5 +1,6 @@
 #include "lua/study/base_number.h"
 
+#include "lua/host/script_number.h"
 #include "plan/field_reader.h"
 #include "study/case_plan.h"
 
@@ -27,7 +28,11 @@ std::optional<double> BaseNumbers::of(const Address& address) const {
   switch (address.what) {
     case Address::What::field:
       return of_field(address);
-    case Address::What::script_key:
+    case Address::What::script_key: {
+      if (address.of == Address::Of::soil) return soil_number(files_.terrain.soil, address.name);
+      const PlanRover& rover = *rover_of(files_.plan, address.id);
+      return script_number(*files_.catalog, rover.type, rover.variant, address.name);
+    }
     case Address::What::place:
       break;
   }

@@ -53,8 +53,9 @@ class CaseLock {
     descriptor_ = open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
     if (descriptor_ < 0) throw InputError({}, file_ + ": cannot be written");
     std::error_code gone;
-    const bool is_ours = flock(descriptor_, LOCK_EX | LOCK_NB) == 0 &&
-                         fs::equivalent("/proc/self/fd/" + std::to_string(descriptor_), file_, gone);
+    const bool is_ours =
+        flock(descriptor_, LOCK_EX | LOCK_NB) == 0 &&
+        fs::equivalent("/proc/self/fd/" + std::to_string(descriptor_), file_, gone);
     if (is_ours) return;
     close(descriptor_);
     descriptor_ = -1;

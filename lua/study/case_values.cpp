@@ -85,11 +85,10 @@ class GatheringCheck {
       known.push_back(event.label);
       known.push_back(reference_text(reference_to(event)));
     }
-    refuse(meant.empty()
-               ? fmt::format("the plan has no event '{}'{}", gathering_.event,
-                             did_you_mean(gathering_.event, known))
-               : fmt::format("{} events are called '{}'; ROVER/SEQUENCE says which", meant.size(),
-                             gathering_.event));
+    refuse(meant.empty() ? fmt::format("the plan has no event '{}'{}", gathering_.event,
+                                       did_you_mean(gathering_.event, known))
+                         : fmt::format("{} events are called '{}'; ROVER/SEQUENCE says which",
+                                       meant.size(), gathering_.event));
   }
 
   // The words of a path whose values are known before anything runs.
@@ -120,9 +119,10 @@ class GatheringCheck {
 
   void check_condition() {
     if (has_question(gathering_.condition)) {
-      refuse(fmt::format("share_when = '{}': the log's samples do not say what a question asks; "
-                         "quantities do",
-                         gathering_.condition));
+      refuse(
+          fmt::format("share_when = '{}': the log's samples do not say what a question asks; "
+                      "quantities do",
+                      gathering_.condition));
       return;
     }
     LuaHost host(*files_.base.catalog);
@@ -240,9 +240,8 @@ const Json* at_path(const Json& json, const std::string& path) {
   if (json.is_array()) {
     for (const Json& each : json) {
       if (!each.is_object() || !each.contains("rover_id") || !each.contains("sequence")) continue;
-      const std::string name =
-          fmt::format("{}/{}", each["rover_id"].get<std::string>(),
-                      each["sequence"].get<std::int64_t>());
+      const std::string name = fmt::format("{}/{}", each["rover_id"].get<std::string>(),
+                                           each["sequence"].get<std::int64_t>());
       if (path.starts_with(name + ".")) return at_path(each, path.substr(name.size() + 1));
     }
     return nullptr;
@@ -282,10 +281,10 @@ void check_gatherings(StudyFiles& files, Faults& faults) {
     GatheringCheck(files, gathering, faults).run();
     const auto [first, is_new] = known.emplace(gathering.name, gathering.place);
     if (is_new) continue;
-    faults.error(gathering.place, fmt::format("gather: '{}' is gathered already, see {}; 'name' "
-                                              "says another",
-                                              gathering.name,
-                                              line_text(first->second, gathering.place.file)));
+    faults.error(gathering.place,
+                 fmt::format("gather: '{}' is gathered already, see {}; 'name' "
+                             "says another",
+                             gathering.name, line_text(first->second, gathering.place.file)));
   }
 }
 
@@ -309,12 +308,11 @@ CaseValues values_of_case(const StudyFiles& files, const std::string& folder,
       if (event == events.end()) continue;
       const auto& moment = is_start ? event->second.start : event->second.end;
       if (!moment) continue;
-      walk.add_probe(gatherings[i].rover,
-                     {seconds(*moment), gatherings[i].quantity, &gathered[i]});
+      walk.add_probe(gatherings[i].rover, {seconds(*moment), gatherings[i].quantity, &gathered[i]});
     }
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      if (rows[i].end) walk.add_probe(rows[i].rover_id, {seconds(*rows[i].end), "charge",
-                                                         &charges[i]});
+      if (rows[i].end)
+        walk.add_probe(rows[i].rover_id, {seconds(*rows[i].end), "charge", &charges[i]});
     }
     SeriesRecorder recorder(files.interval_s, rover_ids(files.base.plan));
     log.for_each_sample([&](const SampleRow& row) {
@@ -337,8 +335,9 @@ CaseValues values_of_case(const StudyFiles& files, const std::string& folder,
   }
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const EventRow& row = rows[i];
-    CaseRecord::Event event{row.rover_id, row.sequence, to_string(row.status), row.reason,
-                            std::nullopt, std::nullopt, row.place};
+    CaseRecord::Event event{row.rover_id, row.sequence, to_string(row.status),
+                            row.reason,   std::nullopt, std::nullopt,
+                            row.place};
     if (row.end) event.end_s = seconds(*row.end);
     if (std::isfinite(charges[i])) event.charge = charges[i];
     values.events.push_back(std::move(event));

@@ -33,6 +33,8 @@ void read_words(SweepOptions& options) {
 
 int sweep_command(SweepOptions options) {
   read_words(options);
+  if (options.verb == "status") return sweep_status(options);
+  if (options.verb == "gather") return sweep_gather(options);
   return sweep(options);
 }
 
@@ -45,6 +47,10 @@ std::function<int()> prepare_sweep(CommandOptions& command) {
   command.add_option("-o,--output", options->folder, "Folder of the results (out/STUDY-NAME)");
   command.add_option("-j,--jobs", options->jobs, "Cases at a time (processors)").between(1, 4096);
   command.add_option("--cases", options->cases, "run: only these, as 40-59 or 3,7,12-15");
+  command.add_option("--retry", options->retry, "failed: also the cases that could not be run")
+      .one_of({"failed"});
+  command.add_option("--threads", options->threads, "Of each case (processors by jobs)")
+      .between(1, 256);
   command.add_flag("--dry-run", options->is_dry, "List and check the cases; run none");
   command.add_flag("--quiet", options->is_quiet, "No progress");
   command.add_flag("--json", options->is_json, "The answer as JSON");

@@ -90,7 +90,8 @@ std::int64_t count_cases(const StudyFiles& files, Faults& faults) {
     return 0;
   }
   if (study.cases && *study.cases > size) {
-    faults.error(study.place, fmt::format("study: cases = {}: the grid has {}", *study.cases, size));
+    faults.error(study.place,
+                 fmt::format("study: cases = {}: the grid has {}", *study.cases, size));
     return 0;
   }
   return study.cases.value_or(size);
@@ -101,12 +102,47 @@ double interval_of(const StudyFiles& files) {
   if (files.study.interval_s > 0) return files.study.interval_s;
   constexpr double wanted = 200;
   const double least_s = seconds(files.base.plan.mission.max_duration) / wanted;
-  for (const double round_s : {1.0,    2.0,    5.0,    10.0,   20.0,    30.0,    60.0,    120.0,
-                               300.0,  600.0,  900.0,  1800.0, 3600.0,  7200.0,  10800.0, 21600.0,
-                               43200.0}) {
+  for (const double round_s : {1.0, 2.0, 5.0, 10.0, 20.0, 30.0, 60.0, 120.0, 300.0, 600.0, 900.0,
+                               1800.0, 3600.0, 7200.0, 10800.0, 21600.0, 43200.0}) {
     if (round_s >= least_s) return round_s;
   }
   return 86400;
+}
+
+// The first, last and, of a short list, all values that a parameter can have.
+std::vector<Draw> extremes_of(const Parameter& parameter) {
+  constexpr std::size_t all_max = 20;
+  constexpr double first = 0, last = 1 - 0x1.0p-53;
+  std::vector<double> shares{first, last};
+  const std::size_t count = parameter.choices.size();
+  if (parameter.variation.form == Form::list && count <= all_max) {
+    shares.clear();
+    for (std::size_t i = 0; i < count; ++i) {
+      shares.push_back((static_cast<double>(i) + 0.5) / static_cast<double>(count));
+    }
+  }
+  std::vector<Draw> extremes;
+  for (const double share : shares) {
+    extremes.push_back(draw(parameter, {{parameter.name(), share}}));
+  }
+  return extremes;
+}
+
+// Reads the plan with each extreme value, one at a time: scripts may refuse what a field allows.
+void check_extremes(const StudyFiles& files, Faults& faults) {
+  for (const Parameter& parameter : files.parameters) {
+    if (parameter.is_place()) continue;  // whether there is ground, each case finds
+    for (const Draw& extreme : extremes_of(parameter)) {
+      const PlanSource source =
+          plan_of_case(files, {extreme}, fs::path(files.plan_file).parent_path().string());
+      for (const Fault& fault : read_mission(source, files.base.catalog).faults.sorted()) {
+        if (fault.severity != Severity::error) continue;
+        faults.error(
+            parameter.variation.place,
+            fmt::format("vary '{}' = {}: {}", parameter.variation.of, extreme.text, fault.what));
+      }
+    }
+  }
 }
 
 }  // namespace
@@ -128,13 +164,13 @@ StudyFiles read_study(const std::string& file) {
   const Declarations& declarations = files.base.catalog->declarations();
   Faults faults;
   const BaseNumbers numbers(files.base, files.kml);
-  const ParameterContext context{
-      files.base.plan, declarations,
-      [&](const Address& address) { return numbers.of(address); },
-      [](const std::string& key) { return find_unit(si_unit_of(key)); }};
+  const ParameterContext context{files.base.plan, declarations,
+                                 [&](const Address& address) { return numbers.of(address); },
+                                 [](const std::string& key) { return find_unit(si_unit_of(key)); }};
   files.parameters = parameters_of(files.study, context, faults);
   if (!faults.has_errors()) files.cases = count_cases(files, faults);
   check_gatherings(files, faults);
+  check_extremes(files, faults);
   faults.throw_if_errors();
   files.interval_s = interval_of(files);
   return files;
@@ -149,9 +185,8 @@ PlanSource plan_of_case(const StudyFiles& files, const std::vector<Draw>& draws,
                         const std::string& folder) {
   const fs::path home = fs::weakly_canonical(fs::absolute(files.base.plan.home)),
                  from = fs::weakly_canonical(fs::absolute(folder));
-  const std::string text =
-      case_plan(files.kml, files.base.plan, files.base.catalog->declarations(), draws,
-                home.lexically_relative(from).string());
+  const std::string text = case_plan(files.kml, files.base.plan, files.base.catalog->declarations(),
+                                     draws, home.lexically_relative(from).string());
   const std::string file = folder + "/plan.kml";
   return {file, parse_kml(text, file), "", text, true};
 }

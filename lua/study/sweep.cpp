@@ -4,16 +4,23 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 #include <thread>
 
 #include "base/console.h"
 #include "base/error.h"
+#include "base/files.h"
+#include "base/quantity.h"
+#include "lua/app/progress.h"
 #include "lua/app/run_to_end.h"
 #include "lua/study/case_run.h"
+#include "lua/study/dry_run.h"
+#include "lua/study/gather_request.h"
 #include "lua/study/pool.h"
 #include "lua/study/study_files.h"
+#include "lua/study/study_record.h"
+#include "lua/study/sweep_state.h"
 #include "product/study/case_record.h"
-#include "product/study/gather.h"
 
 namespace lsos {
 
@@ -21,47 +28,156 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<std::int64_t> all_cases(const StudyFiles& files) {
-  std::vector<std::int64_t> numbers;
-  for (std::int64_t number = 1; number <= files.cases; ++number) numbers.push_back(number);
+std::size_t processors() { return std::max(1u, std::thread::hardware_concurrency()); }
+
+void tell_warnings(const StudyFiles& files) {
+  for (const Fault& fault : files.base.faults.sorted()) print_message("{}\n", to_string(fault));
+}
+
+// Those that are to be run now.
+std::vector<std::int64_t> open_cases(const StudyFiles& files, const SweepOptions& options,
+                                     const std::string& folder) {
+  std::vector<std::int64_t> numbers = listed_cases(options.cases, files.cases);
+  std::erase_if(numbers, [&](std::int64_t number) {
+    if (is_done(folder, number)) return true;
+    const std::string mark = not_run_file(folder, number);
+    if (!fs::exists(mark)) return false;
+    if (options.retry.empty()) return true;
+    fs::remove(mark);
+    return false;
+  });
   return numbers;
 }
 
-int gather_study(const StudyFiles& files, const std::string& folder) {
-  GatherRequest request{folder, std::string(files.base.plan.mission.planet->crs), all_cases(files),
-                        {}};
-  for (const PlanRover& rover : files.base.plan.rovers) request.rovers.push_back(rover.id);
-  const Gathered gathered = gather(request);
-  print_result("{} of {} cases in {}/study.gpkg\n", gathered.cases,
-               gathered.cases + gathered.missing, folder);
-  return 0;
+// What a sweep tells while it goes on.
+class SweepNews {
+ public:
+  SweepNews(const std::string& folder, SweepState state, std::size_t jobs, bool is_quiet)
+      : folder_(folder), state_(std::move(state)), jobs_(jobs), progress_(is_quiet) {}
+
+  void end(std::int64_t number, const ChildProcess::Ending& ending) {
+    const std::string file = case_folder(folder_, number) + "/" + case_file;
+    if (const auto record = read_case_record(read_file(file).value_or(""))) {
+      state_.add(record->status, record->wall_s);
+      return;
+    }
+    const auto mark = read_case_record(read_file(not_run_file(folder_, number)).value_or(""));
+    const bool is_stopped = ending.code == static_cast<int>(CaseEnd::stopped);
+    if (is_stopped) return;
+    ++state_.not_run;
+    progress_.finish();
+    if (mark) {
+      print_message("case {} could not be run: {}\n", number, mark->reason);
+    } else if (ending.code == static_cast<int>(CaseEnd::elsewhere)) {
+      print_message("case {} is run by another process\n", number);
+    } else {
+      print_message("case {} was ended by {} {}; the next sweep goes on with it\n", number,
+                    ending.signal ? "signal" : "exit code",
+                    ending.signal ? *ending.signal : ending.code.value_or(-1));
+    }
+  }
+
+  void turn(std::size_t running) {
+    if (!progress_.is_due()) return;
+    const double share = static_cast<double>(state_.cases - state_.missing()) /
+                         static_cast<double>(std::max<std::int64_t>(1, state_.cases));
+    progress_.show_state(share, fmt::format("{}, {} running", to_text(state_), running),
+                         state_.left_s(jobs_));
+  }
+
+  void finish() { progress_.finish(); }
+
+ private:
+  const std::string& folder_;
+  SweepState state_;
+  std::size_t jobs_;
+  Progress progress_;
+};
+
+int tell_end(const StudyFiles& files, const std::string& folder, bool is_json) {
+  const SweepState state = sweep_state(folder, files.cases);
+  print_result("{}", is_json ? to_json(state) : to_text(state) + "\n");
+  if (!is_json) print_result("results in {}\n", folder);
+  return state.missing() + state.not_run == 0 ? 0 : 1;
 }
 
 }  // namespace
 
+std::string study_folder(const SweepOptions& options) {
+  if (!options.folder.empty()) return options.folder;
+  return (fs::path("out") / fs::path(options.study).stem()).string();
+}
+
+std::vector<std::int64_t> listed_cases(const std::string& text, std::int64_t cases) {
+  std::set<std::int64_t> numbers;
+  if (text.empty()) {
+    for (std::int64_t number = 1; number <= cases; ++number) numbers.insert(number);
+  }
+  std::size_t from = 0;
+  while (!text.empty() && from <= text.size()) {
+    const std::size_t comma = std::min(text.find(',', from), text.size());
+    const std::string part = text.substr(from, comma - from);
+    from = comma + 1;
+    const std::size_t dash = part.find('-');
+    const Parsed<std::int64_t> first = parse_integer(part.substr(0, dash));
+    const Parsed<std::int64_t> last =
+        dash == std::string::npos ? first : parse_integer(part.substr(dash + 1));
+    if (!first || !last || *first.value < 1 || *last.value < *first.value || *last.value > cases) {
+      throw InputError({},
+                       fmt::format("--cases {}: numbers from 1 to {} are wanted, as in 40-59 or "
+                                   "3,7,12-15",
+                                   text, cases));
+    }
+    for (std::int64_t number = *first.value; number <= *last.value; ++number) {
+      numbers.insert(number);
+    }
+  }
+  return {numbers.begin(), numbers.end()};
+}
+
 int sweep(const SweepOptions& options) {
   const StudyFiles files = read_study(options.study);
-  const std::string folder =
-      options.folder.empty() ? "out/" + files.study.name : options.folder;
-  if (options.verb == "gather") return gather_study(files, folder);
-  fs::create_directories(folder + "/cases");
-  std::vector<std::int64_t> numbers = all_cases(files);
-  std::erase_if(numbers, [&](std::int64_t number) { return is_done(folder, number); });
-  const unsigned processors = std::max(1u, std::thread::hardware_concurrency());
-  const auto jobs = options.jobs > 0 ? static_cast<std::size_t>(options.jobs) : processors;
-  const int threads = std::max(1, static_cast<int>(processors / jobs));
-  std::size_t failed = 0;
+  if (!options.is_quiet) tell_warnings(files);
+  const std::string folder = study_folder(options);
+  const auto jobs = options.jobs > 0 ? static_cast<std::size_t>(options.jobs) : processors();
+  if (options.is_dry)
+    return dry_run(files, listed_cases(options.cases, files.cases), jobs, options);
+  open_study_folder(files, folder);
+  const std::vector<std::int64_t> numbers = open_cases(files, options, folder);
+  const int threads =
+      options.threads > 0 ? options.threads : std::max(1, static_cast<int>(processors() / jobs));
+  SweepNews news(folder, sweep_state(folder, files.cases), jobs, options.is_quiet);
   Pool pool(jobs, [&](std::int64_t number) {
     catch_stop_signals();
     return static_cast<int>(run_case(files, number, folder, threads));
   });
   const int signal = pool.run(
-      numbers,
-      [&](std::int64_t, const ChildProcess::Ending& ending) { failed += ending.is_success() ? 0 : 1; },
-      [] {});
-  if (signal != 0) return 128 + signal;
-  gather_study(files, folder);
-  return failed == 0 ? 0 : 1;
+      numbers, [&](std::int64_t number, const auto& ending) { news.end(number, ending); },
+      [&] { news.turn(pool.running()); });
+  news.finish();
+  if (signal != 0) {
+    print_message("stopped: the same command goes on\n");
+    return 128 + signal;
+  }
+  if (options.verb == "run") return tell_end(files, folder, options.is_json);
+  gather(gather_request(files, folder));
+  return tell_end(files, folder, options.is_json);
+}
+
+int sweep_status(const SweepOptions& options) {
+  const std::string folder = study_folder(options);
+  const SweepState state = sweep_state(folder, cases_of_folder(folder));
+  print_result("{}", options.is_json ? to_json(state) : to_text(state) + "\n");
+  return 0;
+}
+
+int sweep_gather(const SweepOptions& options) {
+  const StudyFiles files = read_study(options.study);
+  const std::string folder = study_folder(options);
+  check_study_folder(files, folder);
+  const Gathered gathered = gather(gather_request(files, folder));
+  print_result("{} of {} cases in {}/{}\n", gathered.cases, files.cases, folder, study_table);
+  return 0;
 }
 
 }  // namespace lsos

@@ -22,6 +22,29 @@ std::string bytes_of(auto value) {
   return a.bytes();
 }
 
+using Legs = std::map<std::string, PlannedLeg>;
+
+Legs legs_of(const std::string& bytes) {
+  constexpr std::size_t hash_size = 64;
+  if (bytes.size() < hash_size) return {};
+  const std::string body = bytes.substr(hash_size);
+  if (sha256_hex(body) != bytes.substr(0, hash_size)) return {};
+  try {
+    Archive a = Archive::reader(body);
+    Legs legs;
+    a.tag(kept_tag)(legs);
+    return legs;
+  } catch (const Archive::Mismatch&) {
+    return {};  // the legs are planned again
+  }
+}
+
+std::string archived(Legs& legs) {
+  Archive a = Archive::writer();
+  a.tag(kept_tag)(legs);
+  return sha256_hex(a.bytes()) + a.bytes();
+}
+
 }  // namespace
 
 PlannedLegs::PlannedLegs(const Ground& ground, std::uint64_t seed) : ground_(&ground), seed_(seed) {
@@ -54,19 +77,9 @@ const PlannedLeg& PlannedLegs::leg(const DriveCost& cost, LegRequest request) {
 }
 
 void PlannedLegs::recall(const std::string& bytes) {
-  constexpr std::size_t hash_size = 64;
-  if (bytes.size() < hash_size) return;
-  const std::string body = bytes.substr(hash_size);
-  if (sha256_hex(body) != bytes.substr(0, hash_size)) return;
-  try {
-    Archive a = Archive::reader(body);
-    std::map<std::string, PlannedLeg> legs;
-    a.tag(kept_tag)(legs);
-    const std::lock_guard lock(mutex_);
-    legs_.merge(legs);
-  } catch (const Archive::Mismatch&) {
-    // The legs are planned again.
-  }
+  Legs legs = legs_of(bytes);
+  const std::lock_guard lock(mutex_);
+  legs_.merge(legs);
 }
 
 std::string PlannedLegs::kept() const {
@@ -83,9 +96,16 @@ std::string PlannedLegs::kept_locked() const {
   for (auto other = legs_.begin(); other != legs_.end() && legs.size() < kept_max; ++other) {
     legs.insert(*other);
   }
-  Archive a = Archive::writer();
-  a.tag(kept_tag)(legs);
-  return sha256_hex(a.bytes()) + a.bytes();
+  return archived(legs);
+}
+
+std::string merged_legs(const std::string& earlier, const std::string& later) {
+  Legs legs = legs_of(later);
+  for (const auto& [key, leg] : legs_of(earlier)) {
+    if (legs.size() >= kept_max) break;
+    legs.insert({key, leg});
+  }
+  return archived(legs);
 }
 
 }  // namespace lsos

@@ -54,4 +54,8 @@ class PlannedLegs {
   std::size_t not_yet_kept_ = 0;  // of these, since `keep_` was last called
 };
 
+// What is kept of two runs; of more than can be kept, those of `later` first. Damaged bytes count
+// as none.
+std::string merged_legs(const std::string& earlier, const std::string& later);
+
 }  // namespace lsos

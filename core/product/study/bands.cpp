@@ -44,9 +44,7 @@ double near_to(double lon_deg, double reference_deg) {
   return lon_deg - turn_deg * std::round((lon_deg - reference_deg) / turn_deg);
 }
 
-double within_half_turn(double lon_deg) {
-  return near_to(lon_deg, 0);
-}
+double within_half_turn(double lon_deg) { return near_to(lon_deg, 0); }
 
 // The values of all cases at some times, time by time.
 using Block = std::vector<std::vector<double>>;
@@ -84,9 +82,8 @@ void write_band(const std::vector<SeriesFile>& series, const std::string& rover,
         for (double* each : {&found.p5, &found.p50, &found.p95}) *each = within_half_turn(*each);
       }
       table.write({rover, std::string(series_quantities[quantity]),
-                   static_cast<double>(from + i) * series.front().interval_s(), found.p5,
-                   found.p50, found.p95,
-                   static_cast<double>(found.count) / static_cast<double>(series.size()),
+                   static_cast<double>(from + i) * series.front().interval_s(), found.p5, found.p50,
+                   found.p95, static_cast<double>(found.count) / static_cast<double>(series.size()),
                    static_cast<std::int64_t>(found.count)});
     }
   }
@@ -125,11 +122,11 @@ void Arrivals::write(TableFile& table) {
     };
     const double share =
         cases_ == 0 ? 0 : static_cast<double>(end.count) / static_cast<double>(cases_);
-    table.write({event.rover_id, event.sequence, event.type, event.label, cell(end, end.p5),
-                 cell(end, end.p50), cell(end, end.p95), cell(charge, charge.p5),
-                 cell(charge, charge.p50), cell(charge, charge.p95), share,
-                 static_cast<std::int64_t>(cases_)},
-                event.place);
+    table.write(
+        {event.rover_id, event.sequence, event.type, event.label, cell(end, end.p5),
+         cell(end, end.p50), cell(end, end.p95), cell(charge, charge.p5), cell(charge, charge.p50),
+         cell(charge, charge.p95), share, static_cast<std::int64_t>(cases_)},
+        event.place);
   }
 }
 

@@ -62,10 +62,10 @@ Json json_of(const CaseRecord::Event& event) {
   const auto number = [](const std::optional<double>& value) {
     return value ? Json(*value) : Json(nullptr);
   };
-  Json json{{"rover_id", event.rover_id}, {"sequence", event.sequence},
-            {"status", event.status},     {"reason", event.reason},
+  Json json{{"rover_id", event.rover_id},   {"sequence", event.sequence},
+            {"status", event.status},       {"reason", event.reason},
             {"end_s", number(event.end_s)}, {"charge", number(event.charge)},
-            {"lon_deg", nullptr},         {"lat_deg", nullptr}};
+            {"lon_deg", nullptr},           {"lat_deg", nullptr}};
   if (event.place) {
     json["lon_deg"] = lon_deg(*event.place);
     json["lat_deg"] = lat_deg(*event.place);

@@ -30,8 +30,8 @@ struct CaseRecord {
   Values values;           // of the parameters, by their names, in SI
   Values gathered;         // by the names of what is gathered; without those that it has not
   std::vector<Event> events;
-  std::string status;      // of the mission; "not_run" where there was none
-  std::string reason;      // why it did not complete; "" where it did
+  std::string status;  // of the mission; "not_run" where there was none
+  std::string reason;  // why it did not complete; "" where it did
   std::string log_sha256;
   double sim_s = 0;
   double wall_s = 0, cpu_s = 0;  // of the machine

@@ -102,8 +102,8 @@ std::vector<double> SeriesFile::values(const std::string& rover, std::size_t qua
   if (part == nullptr || from >= part->count) return {};
   std::vector<double> values(std::min(count, part->count - from));
   std::ifstream in(file_, std::ios::binary);
-  in.seekg(static_cast<std::streamoff>(part->begin +
-                                       (quantity * part->count + from) * sizeof(double)));
+  in.seekg(
+      static_cast<std::streamoff>(part->begin + (quantity * part->count + from) * sizeof(double)));
   in.read(reinterpret_cast<char*>(values.data()),
           static_cast<std::streamsize>(values.size() * sizeof(double)));
   if (!in) throw InputError({file_}, "ends early");

@@ -13,11 +13,11 @@
 namespace lsos {
 
 struct GatherRequest {
-  std::string folder;                 // of the study
-  std::string crs;                    // of the body, as in Body
-  std::int64_t cases = 0;             // numbers 1 to this
-  std::vector<std::string> rovers;    // their ids
-  std::vector<PlannedEvent> events;   // of the study's plan
+  std::string folder;                // of the study
+  std::string crs;                   // of the body, as in Body
+  std::int64_t cases = 0;            // numbers 1 to this
+  std::vector<std::string> rovers;   // their ids
+  std::vector<PlannedEvent> events;  // of the study's plan
   std::vector<StudyColumn> parameters, gathered;
 };
 

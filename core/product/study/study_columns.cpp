@@ -122,12 +122,12 @@ std::vector<StudyColumn> study_columns(const std::vector<StudyColumn>& parameter
   columns.push_back({"sim_s", Kind::summary, "sim_s", "s", "Time simulated.", ColumnType::real});
   columns.push_back({"log_sha256", Kind::summary, "log_sha256", "", "Digest of the case's log.",
                      ColumnType::text});
-  columns.push_back({"wall_s", Kind::machine, "", "s", "Time that the case took to run.",
-                     ColumnType::real});
+  columns.push_back(
+      {"wall_s", Kind::machine, "", "s", "Time that the case took to run.", ColumnType::real});
   columns.push_back({"cpu_s", Kind::machine, "", "s",
                      "Processor time of the process that ended the case.", ColumnType::real});
-  columns.push_back({"real_time_factor", Kind::machine, "", "",
-                     "Time simulated by time taken.", ColumnType::real});
+  columns.push_back({"real_time_factor", Kind::machine, "", "", "Time simulated by time taken.",
+                     ColumnType::real});
   return columns;
 }
 
@@ -148,7 +148,8 @@ std::vector<ColumnValue> row_of_case(const std::vector<StudyColumn>& columns,
   cells["reason"] = text_or_none(record.reason);
   cells["log_sha256"] = text_or_none(record.log_sha256);
   const auto value_in = [](const CaseRecord::Values& values, const StudyColumn& column) {
-    const auto found = std::ranges::find(values, column.name, &CaseRecord::Values::value_type::first);
+    const auto found =
+        std::ranges::find(values, column.name, &CaseRecord::Values::value_type::first);
     return found == values.end() ? ColumnValue{} : cell(found->second, column.type);
   };
   std::vector<ColumnValue> row;

@@ -1,0 +1,113 @@
+#include "lua/study/gather_request.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "lua/runtime/reader.h"
+#include "record/quantities.h"
+
+namespace lsos {
+
+namespace {
+
+using Kind = StudyColumn::Kind;
+
+// The SI unit of a unit's kind, as "m/s" of "km/h"; "" for numbers without one.
+std::string si_unit_of_kind(const Unit* unit) {
+  if (unit == nullptr || unit->kind == "fraction") return "";
+  for (const Unit& each : all_units()) {
+    if (each.kind == unit->kind && each.si_factor == 1) return std::string(each.symbol);
+  }
+  return "";
+}
+
+std::string si_unit(const Parameter& parameter) {
+  const FieldDeclaration* field = parameter.style.field;
+  if (field == nullptr) return si_unit_of(parameter.address.name);
+  const bool is_time = field->kind == FieldKind::duration || field->kind == FieldKind::moment;
+  return is_time ? "s" : si_unit_of_kind(parameter.style.unit);
+}
+
+ColumnType type_of(const Draw::Value& value) {
+  if (std::holds_alternative<std::string>(value)) return ColumnType::text;
+  return std::holds_alternative<double>(value) ? ColumnType::real : ColumnType::integer;
+}
+
+void add_columns(const Parameter& parameter, std::vector<StudyColumn>& columns) {
+  const std::string how = fmt::format("varies: {}", to_string(parameter.variation.form));
+  if (parameter.is_place()) {
+    columns.push_back({parameter.name() + ".east_m", Kind::parameter, parameter.name(), "m",
+                       "How far east its place is moved.", ColumnType::real});
+    columns.push_back({parameter.name() + ".north_m", Kind::parameter, parameter.name(), "m",
+                       "How far north its place is moved.", ColumnType::real});
+    return;
+  }
+  const FieldDeclaration* field = parameter.style.field;
+  const Draw any = draw(parameter, {{parameter.name(), 0.0}});
+  columns.push_back({parameter.name(), Kind::parameter, parameter.name(), si_unit(parameter),
+                     field == nullptr ? "Key of a script; " + how : field->doc + "; " + how,
+                     type_of(any.values.front().second)});
+}
+
+// The last words of a path in summary.json whose values are texts.
+constexpr std::array texts{"status", "reason", "type", "label", "log_sha256", "plan", "rover_id"};
+
+StudyColumn column_of(const Gathering& gathering) {
+  StudyColumn column{gathering.name, Kind::gathered, gathering.path, "", "", ColumnType::real};
+  switch (gathering.take) {
+    case Gathering::Take::summary: {
+      const std::string last = gathering.path.substr(gathering.path.rfind('.') + 1);
+      if (std::ranges::count(texts, last) > 0) column.type = ColumnType::text;
+      column.unit = si_unit_of(last);
+      column.sentence = fmt::format("{} of summary.json.", gathering.path);
+      return column;
+    }
+    case Gathering::Take::at_start:
+    case Gathering::Take::at_end:
+      column.address = gathering.event;
+      column.sentence =
+          fmt::format("{} when {} {}.", gathering.quantity, gathering.event,
+                      gathering.take == Gathering::Take::at_start ? "starts" : "ends");
+      break;
+    case Gathering::Take::least:
+    case Gathering::Take::greatest:
+      column.address = gathering.rover;
+      column.sentence = fmt::format("{} {} of {}.",
+                                    gathering.take == Gathering::Take::least ? "Least" : "Greatest",
+                                    gathering.quantity, gathering.rover);
+      break;
+    case Gathering::Take::share:
+      column.address = gathering.rover;
+      column.sentence =
+          fmt::format("Share of the time of {} with {}.", gathering.rover, gathering.condition);
+      return column;
+  }
+  column.unit = si_unit_of(gathering.quantity);
+  return column;
+}
+
+}  // namespace
+
+GatherRequest gather_request(const StudyFiles& files, const std::string& folder) {
+  const Plan& plan = files.base.plan;
+  GatherRequest request;
+  request.folder = folder;
+  request.crs = std::string(plan.mission.planet->crs);
+  request.cases = files.cases;
+  for (const PlanRover& rover : plan.rovers) request.rovers.push_back(rover.id);
+  for (const PlanEvent& event : plan.events) {
+    PlannedEvent planned{event.rover_id, event.sequence, event.type, event.label, std::nullopt};
+    if (!event.geometry.points.empty()) planned.place = event.geometry.points.back();
+    request.events.push_back(std::move(planned));
+  }
+  for (const Parameter& parameter : files.parameters) {
+    add_columns(parameter, request.parameters);
+  }
+  for (const Gathering& gathering : files.study.gathered) {
+    request.gathered.push_back(column_of(gathering));
+  }
+  return request;
+}
+
+}  // namespace lsos
