@@ -106,28 +106,11 @@ ReportRover* find_rover(ReportData& data, const std::string& id) {
   return found == data.rovers.end() ? nullptr : &*found;
 }
 
-void read_lines(const LogReader& log, const Plan& plan, const SiteFrame& site, ReportData& data) {
-  for (const PlanRover& planned : plan.rovers) {
-    if (ReportRover* rover = find_rover(data, planned.id)) rover->type = planned.type;
-  }
-  for (const PlanEvent& event : plan.events) {
-    ReportRover* rover = find_rover(data, event.rover_id);
-    if (rover == nullptr || event.geometry.points.size() < 2) continue;
-    ReportLine line = map_line(site, event.geometry.points);
-    if (event.geometry.kind == GeometryKind::polygon) line.push_back(line.front());
-    rover->drawn.push_back(std::move(line));
-    for (const std::vector<Geodetic>& hole : event.geometry.holes) {
-      rover->drawn.push_back(map_line(site, hole));
-      rover->drawn.back().push_back(rover->drawn.back().front());
-    }
-  }
+void read_planned(const LogReader& log, const SiteFrame& site, ReportData& data) {
   for (const PlannedPathRow& path : log.planned_paths()) {
     if (ReportRover* rover = find_rover(data, path.rover_id)) {
       rover->planned.push_back(map_line(site, path.line));
     }
-  }
-  for (const PlanAsset& asset : plan.assets) {
-    data.assets.push_back({asset.id, asset.type, map_point(site, asset.position)});
   }
 }
 
@@ -230,6 +213,26 @@ SiteFrame site_of(const LogReader& log, const Plan& plan) {
   return SiteFrame(*plan.mission.planet, first ? first->place : Geodetic{});
 }
 
+void add_drawn(const Plan& plan, const SiteFrame& site, ReportData& data) {
+  for (const PlanRover& planned : plan.rovers) {
+    if (ReportRover* rover = find_rover(data, planned.id)) rover->type = planned.type;
+  }
+  for (const PlanEvent& event : plan.events) {
+    ReportRover* rover = find_rover(data, event.rover_id);
+    if (rover == nullptr || event.geometry.points.size() < 2) continue;
+    ReportLine line = map_line(site, event.geometry.points);
+    if (event.geometry.kind == GeometryKind::polygon) line.push_back(line.front());
+    rover->drawn.push_back(std::move(line));
+    for (const std::vector<Geodetic>& hole : event.geometry.holes) {
+      rover->drawn.push_back(map_line(site, hole));
+      rover->drawn.back().push_back(rover->drawn.back().front());
+    }
+  }
+  for (const PlanAsset& asset : plan.assets) {
+    data.assets.push_back({asset.id, asset.type, map_point(site, asset.position)});
+  }
+}
+
 ReportData read_report_data(const LogReader& log, const Plan& plan, const SiteFrame& site,
                             const ReportScope& scope) {
   ReportData data;
@@ -244,7 +247,8 @@ ReportData read_report_data(const LogReader& log, const Plan& plan, const SiteFr
     return std::pair(event.rover_id, event.sequence);
   });
   read_samples(log, site, scope, data);
-  read_lines(log, plan, site, data);
+  add_drawn(plan, site, data);
+  read_planned(log, site, data);
   data.notes = thinned_notes(log);
   read_pairs(log, data);
   return data;

@@ -15,9 +15,9 @@
 #include "lua/app/run_to_end.h"
 #include "lua/study/case_run.h"
 #include "lua/study/dry_run.h"
-#include "lua/study/gather_request.h"
 #include "lua/study/pool.h"
 #include "lua/study/study_files.h"
+#include "lua/study/study_products.h"
 #include "lua/study/study_record.h"
 #include "lua/study/sweep_state.h"
 #include "product/study/case_record.h"
@@ -160,7 +160,7 @@ int sweep(const SweepOptions& options) {
     return 128 + signal;
   }
   if (options.verb == "run") return tell_end(files, folder, options.is_json);
-  gather(gather_request(files, folder));
+  write_study(files, folder, threads);
   return tell_end(files, folder, options.is_json);
 }
 
@@ -175,8 +175,10 @@ int sweep_gather(const SweepOptions& options) {
   const StudyFiles files = read_study(options.study);
   const std::string folder = study_folder(options);
   check_study_folder(files, folder);
-  const Gathered gathered = gather(gather_request(files, folder));
-  print_result("{} of {} cases in {}/{}\n", gathered.cases, files.cases, folder, study_table);
+  const int threads = options.threads > 0 ? options.threads : static_cast<int>(processors());
+  const Gathered gathered = write_study(files, folder, threads);
+  print_result("{} of {} cases in {}/{}, {} and {}\n", gathered.cases, files.cases, folder,
+               study_table, study_page_file, study_overlay_file);
   return 0;
 }
 
