@@ -70,7 +70,7 @@ std::string case_plan(const std::string& kml, const Plan& plan, const Declaratio
   PlanDocument document(kml, plan, declarations);
   // The soil is changed after it is chosen, and the place of a thing moved once.
   for (const Draw& drawn : draws) put(document, drawn);
-  document.set_field(document.mission(), "CaseOf", home);
+  if (!home.empty()) document.set_field(document.mission(), "CaseOf", home);
   return document.text();
 }
 

@@ -12,6 +12,8 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "base/output_error.h"
+#include "base/replaced.h"
 #include "lua/app/run_options.h"
 #include "lua/app/run_to_end.h"
 #include "lua/study/case_values.h"
@@ -103,6 +105,14 @@ CaseRecord record_of(const StudyFiles& files, std::int64_t number) {
   return record;
 }
 
+void mark_not_run(const StudyFiles& files, std::int64_t number, const std::string& study_folder,
+                  const std::string& reason) {
+  CaseRecord record = record_of(files, number);
+  record.status = not_run_status;
+  record.reason = reason;
+  write_file(not_run_file(study_folder, number), to_json(record));
+}
+
 // Runs the mission, or goes on with it, in the folder. Returns the exit code.
 int run_mission(const StudyFiles& files, std::int64_t number, const std::string& folder,
                 int threads) {
@@ -144,7 +154,11 @@ void finish(const StudyFiles& files, std::int64_t number, const std::string& stu
             double cpu_before_s) {
   const std::string folder = part_folder(study_folder, number);
   if (!fs::exists(folder + "/" + case_file)) {
-    const std::string text = read_file(folder + "/summary.json").value_or("");
+    // What it says of its files holds once the folder has its name.
+    const std::string name = case_name(number);
+    const std::string text = replaced(read_file(folder + "/summary.json").value_or(""),
+                                      "/" + name + ".part/", "/" + name + "/");
+    write_file(folder + "/summary.json", text);
     const auto summary = nlohmann::json::parse(text);
     CaseRecord record = record_of(files, number);
     record.status = summary.at("status").get<std::string>();
@@ -163,7 +177,9 @@ void finish(const StudyFiles& files, std::int64_t number, const std::string& stu
   LSOS_ASSERT(record);
   keep_log(files, *record, folder);
   fs::remove(folder + "/.lsos-host.lock");
-  fs::rename(folder, case_folder(study_folder, number));
+  const std::string whole = case_folder(study_folder, number);
+  fs::remove_all(whole);  // one without its summary, which counts as none
+  fs::rename(folder, whole);
 }
 
 }  // namespace
@@ -184,11 +200,17 @@ CaseEnd run_case(const StudyFiles& files, std::int64_t number, const std::string
     if (code > 128) return CaseEnd::stopped;
     finish(files, number, study_folder, before_s);
     return CaseEnd::done;
+  } catch (const OutputError& error) {
+    mark_not_run(files, number, study_folder, error.what());
+    return CaseEnd::machine;
+  } catch (const fs::filesystem_error& error) {
+    mark_not_run(files, number, study_folder, error.what());
+    return CaseEnd::machine;
+  } catch (const std::bad_alloc&) {
+    mark_not_run(files, number, study_folder, "out of memory");
+    return CaseEnd::machine;
   } catch (const std::exception& error) {
-    CaseRecord record = record_of(files, number);
-    record.status = not_run_status;
-    record.reason = error.what();
-    write_file(not_run_file(study_folder, number), to_json(record));
+    mark_not_run(files, number, study_folder, error.what());
     fs::remove_all(folder);
     return CaseEnd::not_run;
   }

@@ -13,6 +13,7 @@ enum class CaseEnd {
   done,      // its folder is complete, whatever became of its mission
   stopped,   // by a signal, with a checkpoint from which it goes on
   not_run,   // its plan has faults, or the program failed; the mark says why
+  machine,   // a full disk, too little memory; the mark says why, and the next sweep tries again
   elsewhere  // another process runs it
 };
 

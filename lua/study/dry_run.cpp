@@ -37,7 +37,7 @@ struct CheckedCase {
 
 CheckedCase checked(const StudyFiles& files, const Sampler& sampler, std::int64_t number) {
   CheckedCase checked{number, draws_of_case(files, sampler, number), {}};
-  const PlanSource source = plan_of_case(files, checked.draws, "case " + case_name(number));
+  const PlanSource source = plan_of_case(files, checked.draws, files.plan_folder());
   const MissionFiles mission = read_mission(source, files.base.catalog);
   for (const Fault& fault : mission.faults.sorted()) {
     if (fault.severity == Severity::error) checked.faults.push_back(fault);

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <csignal>
 #include <ctime>
+#include <exception>
 
 namespace lsos {
 
@@ -46,7 +47,12 @@ void Pool::start(std::int64_t number) {
   setpgid(0, 0);  // a terminal's Ctrl-C comes through the pool
   silence();
   // The parent's buffers and objects are not this process's: nothing of them is destroyed.
-  _exit(work_(number));
+  try {
+    _exit(work_(number));
+  } catch (const std::exception&) {
+    constexpr int internal_fault = 70;  // none of what the work returns
+    _exit(internal_fault);
+  }
 }
 
 int Pool::run(const std::vector<std::int64_t>& numbers, const Ended& on_end,

@@ -10,6 +10,7 @@
 #include "base/sha256.h"
 #include "edit/editable_file.h"
 #include "lua/api/api.h"
+#include "lua/host/run_values.h"
 #include "lua/runtime/loader.h"
 #include "lua/runtime/reader.h"
 #include "lua/runtime/state.h"
@@ -128,14 +129,20 @@ std::vector<Draw> extremes_of(const Parameter& parameter) {
   return extremes;
 }
 
+void note_use(const MissionFiles& mission, StudyFiles& files) {
+  files.scripts.merge(script_digests(mission));
+  files.terrains.insert({mission.terrain.name, mission.terrain});
+}
+
 // Reads the plan with each extreme value, one at a time: scripts may refuse what a field allows.
-void check_extremes(const StudyFiles& files, Faults& faults) {
+void check_extremes(StudyFiles& files, Faults& faults) {
   for (const Parameter& parameter : files.parameters) {
     if (parameter.is_place()) continue;  // whether there is ground, each case finds
     for (const Draw& extreme : extremes_of(parameter)) {
-      const PlanSource source =
-          plan_of_case(files, {extreme}, fs::path(files.plan_file).parent_path().string());
-      for (const Fault& fault : read_mission(source, files.base.catalog).faults.sorted()) {
+      const PlanSource source = plan_of_case(files, {extreme}, files.plan_folder());
+      const MissionFiles mission = read_mission(source, files.base.catalog);
+      note_use(mission, files);
+      for (const Fault& fault : mission.faults.sorted()) {
         if (fault.severity != Severity::error) continue;
         faults.error(
             parameter.variation.place,
@@ -146,6 +153,11 @@ void check_extremes(const StudyFiles& files, Faults& faults) {
 }
 
 }  // namespace
+
+std::string StudyFiles::plan_folder() const {
+  const std::string folder = fs::path(plan_file).parent_path().string();
+  return folder.empty() ? "." : folder;
+}
 
 Sampler StudyFiles::sampler() const {
   return {study.sampling, study.seed, cases, dimensions_of(parameters)};
@@ -170,6 +182,7 @@ StudyFiles read_study(const std::string& file) {
   files.parameters = parameters_of(files.study, context, faults);
   if (!faults.has_errors()) files.cases = count_cases(files, faults);
   check_gatherings(files, faults);
+  note_use(files.base, files);
   check_extremes(files, faults);
   faults.throw_if_errors();
   files.interval_s = interval_of(files);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -16,14 +16,17 @@ namespace lsos {
 
 struct StudyFiles {
   Study study;
-  std::string sha256;                 // of the study's file
-  std::string plan_file;              // relative to the working folder
-  MissionFiles base;                  // the plan, its scripts and models
-  std::string kml;                    // its document
-  std::vector<Parameter> parameters;  // in byte order of their names
+  std::string sha256;                           // of the study's file
+  std::string plan_file;                        // relative to the working folder
+  MissionFiles base;                            // the plan, its scripts and models
+  std::string kml;                              // its document
+  std::vector<Parameter> parameters;            // in byte order of their names
+  std::map<std::string, std::string> scripts;   // digests of those that any case uses
+  std::map<std::string, TerrainSpec> terrains;  // of all cases, by name
   std::int64_t cases = 0;
   double interval_s = 0;  // between two times of the bands
 
+  std::string plan_folder() const;
   Sampler sampler() const;
 };
 
@@ -35,7 +38,7 @@ StudyFiles read_study(const std::string& file);
 std::vector<Draw> draws_of_case(const StudyFiles& files, const Sampler& sampler,
                                 std::int64_t number);
 
-// The plan of a case whose folder is `folder`, as if it lay there.
+// The plan of a case as if it lay in `folder`, which must exist.
 PlanSource plan_of_case(const StudyFiles& files, const std::vector<Draw>& draws,
                         const std::string& folder);
 

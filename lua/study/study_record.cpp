@@ -11,7 +11,6 @@
 
 #include "base/error.h"
 #include "base/files.h"
-#include "lua/host/run_values.h"
 #include "lua/host/version.h"
 #include "mission/model/site.h"
 
@@ -50,7 +49,7 @@ Parts parts_of(const StudyFiles& files) {
               {"seed of the study", fmt::format("{}", study.seed)},
               {"sampling of the study", to_string(study.sampling)},
               {"interval_s of the study", fmt::format("{}", files.interval_s)}};
-  for (const auto& [name, digest] : script_digests(files.base)) parts[name] = digest;
+  for (const auto& [name, digest] : files.scripts) parts[name] = digest;
   for (const Parameter& parameter : files.parameters) {
     parts[fmt::format("vary '{}' of the study", parameter.name())] = text_of(parameter.variation);
   }
@@ -60,11 +59,11 @@ Parts parts_of(const StudyFiles& files) {
   if (study.sampling == Sampling::latin_hypercube) {
     parts["cases of the study, which are another Latin hypercube"] = fmt::format("{}", files.cases);
   }
-  if (has_raster(files.base.terrain)) {
-    parts["a raster of the ground"] =
-        ground_at(files.base.terrain, *files.base.plan.mission.planet, site_of(files.base.plan),
-                  files.base.plan.mission.seed)
-            ->hash();
+  const Plan& plan = files.base.plan;
+  for (const auto& [name, terrain] : files.terrains) {
+    if (!has_raster(terrain)) continue;
+    parts[fmt::format("the ground of {}", fs::path(name).filename().string())] =
+        ground_at(terrain, *plan.mission.planet, site_of(plan), plan.mission.seed)->hash();
   }
   return parts;
 }

@@ -66,7 +66,11 @@ class SweepNews {
     if (is_stopped) return;
     ++state_.not_run;
     progress_.finish();
-    if (mark) {
+    if (mark && ending.code == static_cast<int>(CaseEnd::machine)) {
+      print_message("case {} was not finished: {}; the next sweep goes on with it\n", number,
+                    mark->reason);
+      fs::remove(not_run_file(folder_, number));
+    } else if (mark) {
       print_message("case {} could not be run: {}\n", number, mark->reason);
     } else if (ending.code == static_cast<int>(CaseEnd::elsewhere)) {
       print_message("case {} is run by another process\n", number);
@@ -94,11 +98,11 @@ class SweepNews {
   Progress progress_;
 };
 
-int tell_end(const StudyFiles& files, const std::string& folder, bool is_json) {
-  const SweepState state = sweep_state(folder, files.cases);
-  print_result("{}", is_json ? to_json(state) : to_text(state) + "\n");
-  if (!is_json) print_result("results in {}\n", folder);
-  return state.missing() + state.not_run == 0 ? 0 : 1;
+// Whether those of the cases that were asked for are done.
+bool are_done(const StudyFiles& files, const SweepOptions& options, const std::string& folder) {
+  return std::ranges::all_of(listed_cases(options.cases, files.cases), [&](std::int64_t number) {
+    return is_done(folder, number);
+  });
 }
 
 }  // namespace
@@ -159,9 +163,11 @@ int sweep(const SweepOptions& options) {
     print_message("stopped: the same command goes on\n");
     return 128 + signal;
   }
-  if (options.verb == "run") return tell_end(files, folder, options.is_json);
-  write_study(files, folder, threads);
-  return tell_end(files, folder, options.is_json);
+  if (options.verb != "run") write_study(files, folder, threads);
+  const SweepState state = sweep_state(folder, files.cases);
+  print_result("{}", options.is_json ? to_json(state) : to_text(state) + "\n");
+  if (!options.is_json) print_result("results in {}\n", folder);
+  return are_done(files, options, folder) ? 0 : 1;
 }
 
 int sweep_status(const SweepOptions& options) {

@@ -17,7 +17,7 @@ const std::map<std::string, int> layers = {
     {"base", 0},    {"access", 1}, {"planet", 1},      {"driving", 1}, {"terrain", 2},
     {"vehicle", 3}, {"view", 3},   {"power", 3},       {"route", 3},   {"plan", 3},
     {"record", 3},  {"edit", 4},   {"interchange", 4}, {"mission", 4}, {"picture", 5},
-    {"product", 6}, {"lua", 7},
+    {"study", 5},   {"product", 6}, {"lua", 7},
 };
 
 // The same of the rooms within a folder, "" being the folder's own files.
@@ -37,7 +37,7 @@ const std::map<std::string, std::map<std::string, int>> rooms = {
       {"fleet", 6},
       {"estimate", 7},
       {"", 8}}},
-    {"product", {{"", 0}, {"comparison", 1}}},
+    {"product", {{"", 0}, {"comparison", 1}, {"study", 1}}},
     {"lua",
      {{"runtime", 0},
       {"api", 1},
@@ -45,7 +45,8 @@ const std::map<std::string, std::map<std::string, int>> rooms = {
       {"session", 3},
       {"edit", 3},
       {"check", 3},
-      {"app", 4}}},
+      {"app", 4},
+      {"study", 5}}},
 };
 
 constexpr std::size_t units_max = 40;  // a header and its source, in one folder
@@ -72,6 +73,7 @@ const std::vector<Library>& libraries() {
       {std::regex("jpeglib\\.h"), {"picture"}},
       {std::regex("cairo/cairo\\.h"), {"product"}},  // figures for papers
       {std::regex("ompl/.*"), {"route"}},
+      {std::regex("boost/.*"), {"study"}},  // Sobol's sequence, quantiles
       {std::regex("CLI/.*"), {"lua"}},
       {std::regex("(editline/.*|histedit\\.h)"), {"lua"}},
       {std::regex("gnu/libc-version\\.h"), {"route"}},  // version of the C library

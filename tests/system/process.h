@@ -35,6 +35,7 @@ class Process {
   Process& operator=(const Process&) = delete;
 
   bool is_running();
+  pid_t id() const { return pid_; }
   // What it has written to standard error so far.
   std::string err_so_far();
   void signal(int number);
