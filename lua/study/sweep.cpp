@@ -30,6 +30,11 @@ namespace fs = std::filesystem;
 
 std::size_t processors() { return std::max(1u, std::thread::hardware_concurrency()); }
 
+// What is made of all cases has all processors.
+int product_threads(const SweepOptions& options) {
+  return options.threads > 0 ? options.threads : static_cast<int>(processors());
+}
+
 void tell_warnings(const StudyFiles& files) {
   for (const Fault& fault : files.base.faults.sorted()) print_message("{}\n", to_string(fault));
 }
@@ -100,9 +105,8 @@ class SweepNews {
 
 // Whether those of the cases that were asked for are done.
 bool are_done(const StudyFiles& files, const SweepOptions& options, const std::string& folder) {
-  return std::ranges::all_of(listed_cases(options.cases, files.cases), [&](std::int64_t number) {
-    return is_done(folder, number);
-  });
+  return std::ranges::all_of(listed_cases(options.cases, files.cases),
+                             [&](std::int64_t number) { return is_done(folder, number); });
 }
 
 }  // namespace
@@ -163,7 +167,7 @@ int sweep(const SweepOptions& options) {
     print_message("stopped: the same command goes on\n");
     return 128 + signal;
   }
-  if (options.verb != "run") write_study(files, folder, threads);
+  if (options.verb != "run") write_study(files, folder, product_threads(options));
   const SweepState state = sweep_state(folder, files.cases);
   print_result("{}", options.is_json ? to_json(state) : to_text(state) + "\n");
   if (!options.is_json) print_result("results in {}\n", folder);
@@ -181,8 +185,7 @@ int sweep_gather(const SweepOptions& options) {
   const StudyFiles files = read_study(options.study);
   const std::string folder = study_folder(options);
   check_study_folder(files, folder);
-  const int threads = options.threads > 0 ? options.threads : static_cast<int>(processors());
-  const Gathered gathered = write_study(files, folder, threads);
+  const Gathered gathered = write_study(files, folder, product_threads(options));
   print_result("{} of {} cases in {}/{}, {} and {}\n", gathered.cases, files.cases, folder,
                study_table, study_page_file, study_overlay_file);
   return 0;

@@ -84,4 +84,5 @@ showPlots(studyPlots());
 fillNumbers(sections[0]);
 fillInfluence(sections[1]);
 new CaseTable(sections[2]);
-setCursor(endS);
+// Where half of the missions have ended, bands and ellipses are still of many cases.
+setCursor(Math.min(endS, ...study.arrivals.filter(arrival => arrival.end_s).slice(-1).map(arrival => arrival.end_s[1])));
