@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "product/report_page.h"
@@ -11,6 +12,7 @@
 #include "product/study/place_spread.h"
 #include "product/study/quantiles.h"
 #include "product/study/study_overlay.h"
+#include "support/reference_data.h"
 #include "unit/product/study_folder.h"
 
 namespace lsos {
@@ -218,6 +220,19 @@ TEST_F(StudyPage, has_a_map_for_google_earth) {
   EXPECT_THAT(kml, HasSubstr("Leg 2: 90 %"));
   EXPECT_THAT(kml, HasSubstr("charge_p95"));
   EXPECT_THAT(kml, HasSubstr("<name>case 10</name>"));
+}
+
+TEST_F(StudyPage, has_a_map_that_is_valid_against_the_schema_of_kml) {
+  LSOS_NEEDS_REFERENCE("kml/xsd/ogckml22.xsd");
+  const std::string schema = reference_file("kml/xsd/ogckml22.xsd");
+  const TestFolder folder;
+  write_file(folder / "study.kml", study_overlay(study_->request()));
+  // The catalog beside the schema names local copies of the schemas that it includes.
+  const std::string catalog = schema.substr(0, schema.rfind('/')) + "/catalog.xml";
+  const std::string command = "XML_CATALOG_FILES='" + catalog +
+                              "' xmllint --nonet --noout --schema '" + schema + "' '" +
+                              (folder / "study.kml") + "' > '" + (folder / "answer.txt") + "' 2>&1";
+  EXPECT_EQ(std::system(command.c_str()), 0) << read_file(folder / "answer.txt").value_or("");
 }
 
 }  // namespace

@@ -10,10 +10,10 @@ function cellText(column, value) {
 // "failed speed>1.5 case<=20": a test of a row, or the part that cannot be read.
 function readFilter(text) {
   const tests = [];
-  for (const part of text.match(/"[^"]*"|\S+/g) || []) {
+  for (const part of text.match(/(?:"[^"]*"|[^\s"])+/g) || []) {
     const [, name, sign, limit] = part.match(/^(.+?)(<=|>=|<|>|=)(.*)$/) || [];
     if (sign) {
-      const wanted = name.toLowerCase(), value = limit.trim() === '' ? NaN : Number(limit.replace('−', '-'));
+      const wanted = name.replaceAll('"', '').toLowerCase(), value = limit.trim() === '' ? NaN : Number(limit.replace('−', '-'));
       const column = study.columns.find(c => c.name.toLowerCase() === wanted) || study.columns.find(c => c.name.toLowerCase().includes(wanted));
       if (!column || (Number.isNaN(value) && sign !== '=') || (!column.is_text && Number.isNaN(value))) return {wrong: part};
       const compare = {'<': (a, b) => a < b, '>': (a, b) => a > b, '<=': (a, b) => a <= b, '>=': (a, b) => a >= b,
@@ -39,7 +39,7 @@ class CaseTable {
     this.place = make('div', {class: 'wide', id: 'case-table'});
     const {shown, counts} = study;
     place.append(make('h2', {}, 'Cases'), make('div', {class: 'case-tools'}, this.input, this.more, this.told, this.open), this.place,
-      make('p', {class: 'note'}, `Words are looked for in texts; COLUMN<NUMBER, >, <=, >= and = compare in the units of the headings. Click a heading to sort, a row to show the case in all plots and on the map.${shown < counts.gathered ? ` The first ${shown.toLocaleString('en')} of ${counts.gathered.toLocaleString('en')} cases are shown; all numbers above are of all, and study.gpkg has all.` : ''}`));
+      make('p', {class: 'note'}, `Words are looked for in texts; COLUMN<NUMBER, >, <=, >= and = compare in the units of the headings. Click a heading to sort, a row to show the case in all plots and on the map. Names with blanks stand in quotes: "Rover A.InitialCharge"<0.5.${shown < counts.gathered ? ` The first ${shown.toLocaleString('en')} of ${counts.gathered.toLocaleString('en')} cases are shown; all numbers above are of all, and study.gpkg has all.` : ''}`));
     this.input.addEventListener('input', () => this.filter());
     this.more.addEventListener('click', () => {
       this.hasAll = !this.hasAll;
