@@ -189,6 +189,19 @@ TEST(PlansReadme, says_how_far_rovers_drive) {
   }
 }
 
+TEST(StudiesPage, shows_a_study_that_is_sound) {
+  const TempFolder folder;
+  folder.write("solar_stop.kml", read_text(repository() / "plans" / "solar_stop.kml"));
+  folder.write("solar_stop_study.lua", shown_block("lua", "docs/studies.md"));
+  const Outcome outcome = run({"sweep", "solar_stop_study.lua", "--dry-run", "--json", "--quiet"},
+                              {.folder = folder.path()});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto answer = nlohmann::json::parse(outcome.out);
+  ASSERT_EQ(answer["cases"].size(), 6u);
+  EXPECT_TRUE(answer["cases"][0]["values"].contains("Rover SEV1.Place.east_m"));
+  EXPECT_GT(answer["case_wall_s"], 0) << "a case of it was run";
+}
+
 TEST(TerrainReadme, shows_a_terrain_of_rasters_that_works) {
   const TempFolder folder;
   folder.write("terrain/Nested.lua", shown_block("lua", "terrain/README.md"));
