@@ -49,7 +49,13 @@ class CaseTable {
     this.place.addEventListener('scroll', () => {
       if (this.place.scrollTop + this.place.clientHeight > this.place.scrollHeight - 400) this.addRows();
     });
-    addEventListener('beforeprint', () => { while (this.next < this.rows.length && this.next < 1000) this.addRows(); });
+    // On paper are the rows that are drawn; the rest is told.
+    const onPaper = make('p', {class: 'note on-paper'});
+    place.append(onPaper);
+    addEventListener('beforeprint', () => {
+      const drawn = Math.min(this.next, this.rows.length);
+      onPaper.textContent = drawn < this.rows.length ? `The first ${drawn} of ${this.rows.length.toLocaleString('en')} cases; study.gpkg has all.` : '';
+    });
     viewers.push(this);
     this.filter();
   }
