@@ -16,6 +16,7 @@
 #include "lua/runtime/state.h"
 #include "lua/study/base_number.h"
 #include "lua/study/case_values.h"
+#include "lua/study/stop_early.h"
 #include "plan/kmz_archive.h"
 #include "study/case_plan.h"
 
@@ -182,6 +183,7 @@ StudyFiles read_study(const std::string& file) {
   files.parameters = parameters_of(files.study, context, faults);
   if (!faults.has_errors()) files.cases = count_cases(files, faults);
   check_gatherings(files, faults);
+  check_stop_rule(files.study, faults);
   note_use(files.base, files);
   check_extremes(files, faults);
   faults.throw_if_errors();

@@ -9,6 +9,7 @@
 #include "base/files.h"
 #include "base/output_error.h"
 #include "lua/study/gather_request.h"
+#include "lua/study/stop_early.h"
 #include "mission/model/site.h"
 
 namespace lsos {
@@ -68,8 +69,13 @@ StudyPageRequest study_page_request(const StudyFiles& files, const std::string& 
 }
 
 Gathered write_study(const StudyFiles& files, const std::string& folder, int threads) {
-  const Gathered gathered = gather(gather_request(files, folder));
+  StopWatch enough(files, folder);
+  GatherRequest of_cases = gather_request(files, folder);
+  of_cases.cases = enough.last_case().value_or(files.cases);
+  const Gathered gathered = gather(of_cases);
   StudyPageRequest request = study_page_request(files, folder, true);
+  request.cases = of_cases.cases;
+  request.stopped = enough.text();
   request.threads = threads;
   write_product(folder + "/" + study_page_file, [&] { return study_page(request); });
   write_product(folder + "/" + study_overlay_file, [&] { return study_overlay(request); });

@@ -16,6 +16,7 @@
 #include "lua/study/case_run.h"
 #include "lua/study/dry_run.h"
 #include "lua/study/pool.h"
+#include "lua/study/stop_early.h"
 #include "lua/study/study_files.h"
 #include "lua/study/study_products.h"
 #include "lua/study/study_record.h"
@@ -39,10 +40,11 @@ void tell_warnings(const StudyFiles& files) {
   for (const Fault& fault : files.base.faults.sorted()) print_message("{}\n", to_string(fault));
 }
 
-// Those that are to be run now.
+// Those that are to be run now. `last`: the last that is needed, unless --cases names some.
 std::vector<std::int64_t> open_cases(const StudyFiles& files, const SweepOptions& options,
-                                     const std::string& folder) {
-  std::vector<std::int64_t> numbers = listed_cases(options.cases, files.cases);
+                                     const std::string& folder, std::int64_t last) {
+  std::vector<std::int64_t> numbers =
+      listed_cases(options.cases, options.cases.empty() ? last : files.cases);
   std::erase_if(numbers, [&](std::int64_t number) {
     if (is_done(folder, number)) return true;
     const std::string mark = not_run_file(folder, number);
@@ -104,9 +106,11 @@ class SweepNews {
 };
 
 // Whether those of the cases that were asked for are done.
-bool are_done(const StudyFiles& files, const SweepOptions& options, const std::string& folder) {
-  return std::ranges::all_of(listed_cases(options.cases, files.cases),
-                             [&](std::int64_t number) { return is_done(folder, number); });
+bool are_done(const StudyFiles& files, const SweepOptions& options, const std::string& folder,
+              std::int64_t last) {
+  return std::ranges::all_of(
+      listed_cases(options.cases, options.cases.empty() ? last : files.cases),
+      [&](std::int64_t number) { return is_done(folder, number); });
 }
 
 }  // namespace
@@ -151,7 +155,9 @@ int sweep(const SweepOptions& options) {
   if (options.is_dry)
     return dry_run(files, listed_cases(options.cases, files.cases), jobs, options);
   open_study_folder(files, folder);
-  const std::vector<std::int64_t> numbers = open_cases(files, options, folder);
+  StopWatch enough(files, folder);
+  const auto last_case = [&] { return enough.last_case().value_or(files.cases); };
+  const std::vector<std::int64_t> numbers = open_cases(files, options, folder, last_case());
   const int threads =
       options.threads > 0 ? options.threads : std::max(1, static_cast<int>(processors() / jobs));
   SweepNews news(folder, sweep_state(folder, files.cases), jobs, options.is_quiet);
@@ -160,7 +166,11 @@ int sweep(const SweepOptions& options) {
     return static_cast<int>(run_case(files, number, folder, threads));
   });
   const int signal = pool.run(
-      numbers, [&](std::int64_t number, const auto& ending) { news.end(number, ending); },
+      numbers,
+      [&](std::int64_t number, const auto& ending) {
+        news.end(number, ending);
+        if (options.cases.empty()) pool.begin_none_after(last_case());
+      },
       [&] { news.turn(pool.running()); });
   news.finish();
   if (signal != 0) {
@@ -168,10 +178,12 @@ int sweep(const SweepOptions& options) {
     return 128 + signal;
   }
   if (options.verb != "run") write_study(files, folder, product_threads(options));
-  const SweepState state = sweep_state(folder, files.cases);
+  if (enough.last_case()) note_last_case(folder, last_case());
+  const SweepState state = sweep_state(folder, last_case());
   print_result("{}", options.is_json ? to_json(state) : to_text(state) + "\n");
+  if (!options.is_json && enough.last_case()) print_result("{}\n", enough.text());
   if (!options.is_json) print_result("results in {}\n", folder);
-  return are_done(files, options, folder) ? 0 : 1;
+  return are_done(files, options, folder, last_case()) ? 0 : 1;
 }
 
 int sweep_status(const SweepOptions& options) {

@@ -19,7 +19,8 @@ struct SweepOptions {
 };
 
 // Return the program's exit code: 0 when all cases that are asked for have run, whatever became of
-// their missions, 1 when one could not be run, 130 or 143 when a signal stopped it. Throw InputError.
+// their missions, 1 when one could not be run, 130 or 143 when a signal stopped it. Throw
+// InputError.
 int sweep(const SweepOptions& options);
 int sweep_status(const SweepOptions& options);
 int sweep_gather(const SweepOptions& options);

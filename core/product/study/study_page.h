@@ -24,6 +24,7 @@ struct StudyPageRequest {
   bool has_one_start = true;   // missions of all cases start at the same time
   Plan plan;                   // of the study
   std::shared_ptr<const Ground> ground = nullptr;  // none: without relief
+  std::string stopped = {};                        // why there are no more cases; "": there are all
   std::vector<std::string> left_out = {};          // parts missing from the page, and why
   int threads = 2;
 };

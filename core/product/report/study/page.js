@@ -20,6 +20,7 @@ function fillStudyHead() {
 function fillOutcomes() {
   const place = document.getElementById('findings'), {gathered, wanted} = study.counts;
   if (gathered < wanted) place.append(make('div', {class: 'finding warn'}, make('h3', {}, `${wanted - gathered} of ${wanted} cases have not run yet`), make('p', {}, 'The same sweep goes on with them; this page shows those that have.')));
+  if (study.stopped) place.append(make('div', {class: 'finding good'}, make('h3', {}, 'Stopped early'), make('p', {}, `${study.stopped}.`)));
   const byStatus = new Map();
   for (const {status, cases} of study.outcomes) byStatus.set(status, (byStatus.get(status) || 0) + cases.length);
   const bar = make('div', {class: 'outcome-bar'}, ...[...byStatus].map(([status, count]) => make('span', {
