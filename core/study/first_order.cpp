@@ -17,7 +17,7 @@ struct Sums {
   double mean() const { return sum / static_cast<double>(count); }
 };
 
-// Of chance alone giving classes whose means differ so much.
+// The probability that chance alone gives classes whose means differ so much.
 double significance(double between, double within, double between_freedom, double within_freedom) {
   if (!(within > 0)) return 0;
   const double ratio = (between / between_freedom) / (within / within_freedom);

@@ -1,9 +1,13 @@
 #include "study/stop_rule.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <boost/math/distributions/binomial.hpp>
 #include <cmath>
 
+#include "base/error.h"
 #include "study/proportion.h"
 
 namespace lsos {
@@ -41,6 +45,23 @@ std::optional<double> half_width(const StopRule& rule, const std::vector<double>
   const auto interval = quantile_interval(sorted, rule.quantile.value_or(0.5));
   if (!interval) return {};
   return (interval->high - interval->low) / 2;
+}
+
+void check_stop_rule(const Study& study, Faults& faults) {
+  if (!study.stop_when) return;
+  const StopRule& rule = *study.stop_when;
+  if (study.sampling == Sampling::latin_hypercube || study.sampling == Sampling::grid) {
+    faults.error(rule.place,
+                 fmt::format("stop_when: a part of a sampling '{}' is no sample of the whole; of "
+                             "'random' and 'sobol' it is",
+                             to_string(study.sampling)));
+  }
+  std::vector<std::string> names{share_completed};
+  for (const Gathering& gathering : study.gathered) names.push_back(gathering.name);
+  if (std::ranges::find(names, rule.of) != names.end()) return;
+  faults.error(rule.place,
+               fmt::format("stop_when: of = '{}': nothing of that name is gathered{}; there are {}",
+                           rule.of, did_you_mean(rule.of, names), fmt::join(names, ", ")));
 }
 
 }  // namespace lsos

@@ -22,4 +22,7 @@ std::optional<QuantileInterval> quantile_interval(const std::vector<double>& sor
 // share_completed; those that are not finite are left out. Absent where there are too few.
 std::optional<double> half_width(const StopRule& rule, const std::vector<double>& values);
 
+// Faults of a stop_when that the study cannot follow; what is gathered must have its names.
+void check_stop_rule(const Study& study, Faults& faults);
+
 }  // namespace lsos

@@ -1,12 +1,9 @@
 #include "lua/study/stop_early.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <algorithm>
 #include <cmath>
 
-#include "base/error.h"
 #include "base/files.h"
 #include "product/study/case_record.h"
 #include "study/stop_rule.h"
@@ -29,23 +26,6 @@ double value_of(const StopRule& rule, const CaseRecord& record) {
 }
 
 }  // namespace
-
-void check_stop_rule(const Study& study, Faults& faults) {
-  if (!study.stop_when) return;
-  const StopRule& rule = *study.stop_when;
-  if (study.sampling == Sampling::latin_hypercube || study.sampling == Sampling::grid) {
-    faults.error(rule.place,
-                 fmt::format("stop_when: a part of a sampling '{}' is no sample of the whole; of "
-                             "'random' and 'sobol' it is",
-                             to_string(study.sampling)));
-  }
-  std::vector<std::string> names{share_completed};
-  for (const Gathering& gathering : study.gathered) names.push_back(gathering.name);
-  if (std::ranges::find(names, rule.of) != names.end()) return;
-  faults.error(rule.place,
-               fmt::format("stop_when: of = '{}': nothing of that name is gathered{}; there are {}",
-                           rule.of, did_you_mean(rule.of, names), fmt::join(names, ", ")));
-}
 
 std::optional<std::int64_t> StopWatch::last_case() {
   const std::optional<StopRule>& rule = files_.study.stop_when;

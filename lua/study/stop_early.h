@@ -11,9 +11,6 @@
 
 namespace lsos {
 
-// Faults of a rule that the study cannot follow.
-void check_stop_rule(const Study& study, Faults& faults);
-
 // Looks at the cases of a folder as they come.
 class StopWatch {
  public:

@@ -16,9 +16,9 @@
 #include "lua/runtime/state.h"
 #include "lua/study/base_number.h"
 #include "lua/study/case_values.h"
-#include "lua/study/stop_early.h"
 #include "plan/kmz_archive.h"
 #include "study/case_plan.h"
+#include "study/stop_rule.h"
 
 namespace lsos {
 

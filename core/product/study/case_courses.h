@@ -14,7 +14,7 @@
 
 namespace lsos {
 
-// Of one rover. Times are evenly spaced from 0.
+// The courses of one rover. Times are evenly spaced from 0.
 struct RoverCourses {
   std::string rover_id;
   double interval_s = 0, spread_interval_s = 0;
@@ -27,7 +27,7 @@ struct RoverCourses {
 // Where and when an event ended in the cases that completed it.
 struct EventPlaces {
   PlaceSpread spread;  // of all cases
-  // Of the cases that are shown; NaN where there is none.
+  // Values of the cases that are shown; NaN where there is none.
   std::vector<Vec2> places_m;
   std::vector<double> ended_s;
 };
@@ -37,7 +37,7 @@ struct CaseCourses {
   std::vector<EventPlaces> events;  // by arrivals
 };
 
-// Of how many cases, and how finely, single courses are shown.
+// The number of cases whose single courses are shown, and how finely.
 struct CourseLimits {
   std::size_t cases = 5000;
   std::size_t values = 1'200'000;  // of all cases, rovers and quantities
