@@ -1,6 +1,7 @@
 // study.html and study.kml of a sweep, in a browser as a user sees them.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -107,9 +108,9 @@ TEST_F(StudyHtml, shows_a_case_everywhere) {
                          "SELECT p50 FROM bands WHERE quantity = 'distance_m' ORDER BY abs(time_s "
                          "- " +
                              std::to_string(0.1 * end_s) + ") LIMIT 2");
-  const double told = number(seen["told"]);
-  EXPECT_GE(told, std::min<double>(near[0]["p50"], near[1]["p50"]) - 0.06);
-  EXPECT_LE(told, std::max<double>(near[0]["p50"], near[1]["p50"]) + 0.06);
+  const double told = number(seen["told"]), a = near[0]["p50"], b = near[1]["p50"];
+  EXPECT_GE(told, std::min(a, b) - 0.06);
+  EXPECT_LE(told, std::max(a, b) + 0.06);
 }
 
 TEST_F(StudyHtml, sorts_and_filters_its_cases) {

@@ -105,17 +105,13 @@ void add_places(const CaseRecord* record, const StudyResults& results, const Sit
   for (std::size_t i = 0; i < events.size(); ++i) {
     const StudyArrival& arrival = results.arrivals[i];
     const auto found = ended.find({arrival.rover_id, arrival.sequence});
-    Vec2 place_m(not_modelled, not_modelled);
-    double end_s = not_modelled;
-    if (found != ended.end()) {
-      const Geodetic& place = *found->second->place;
-      place_m = on_map_m(site, lon_deg(place), lat_deg(place));
-      end_s = found->second->end_s.value_or(not_modelled);
-      events[i].spread.add(place_m);
+    const CaseRecord::Event* event = found == ended.end() ? nullptr : found->second;
+    if (event != nullptr) {
+      events[i].spread.add(on_map_m(site, lon_deg(*event->place), lat_deg(*event->place)));
     }
     if (!is_shown) continue;
-    events[i].places_m.push_back(place_m);
-    events[i].ended_s.push_back(end_s);
+    events[i].ended_s.push_back(event == nullptr ? not_modelled
+                                                 : event->end_s.value_or(not_modelled));
   }
 }
 

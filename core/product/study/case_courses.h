@@ -26,10 +26,8 @@ struct RoverCourses {
 
 // Where and when an event ended in the cases that completed it.
 struct EventPlaces {
-  PlaceSpread spread;  // of all cases
-  // Values of the cases that are shown; NaN where there is none.
-  std::vector<Vec2> places_m;
-  std::vector<double> ended_s;
+  PlaceSpread spread;           // of all cases
+  std::vector<double> ended_s;  // of the cases that are shown; NaN where there is none
 };
 
 struct CaseCourses {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <set>
 
+#include "planet/utc.h"
+
 namespace lsos {
 
 namespace {
@@ -30,6 +32,17 @@ std::vector<double> places_of(const std::vector<std::string>& texts) {
   return places;
 }
 
+// Days of texts that all say a time, as those of a StartTime do; none where one does not.
+std::vector<double> days_of(const std::vector<std::string>& texts) {
+  std::vector<double> days;
+  for (const std::string& text : texts) {
+    const Parsed<Instant> instant = parse_utc(text);
+    if (!instant) return {};
+    days.push_back(utc_days(*instant.value));
+  }
+  return days;
+}
+
 // A parameter's values, and the classes that they put cases in.
 struct ParameterValues {
   bool is_text = false;
@@ -40,7 +53,12 @@ struct ParameterValues {
 ParameterValues values_of(const StudyResults& results, std::size_t column) {
   ParameterValues of;
   of.is_text = results.columns[column].type == ColumnType::text;
-  of.values = of.is_text ? places_of(results.texts(column)) : results.numbers(column);
+  of.values = of.is_text ? days_of(results.texts(column)) : results.numbers(column);
+  if (of.is_text && of.values.empty()) {
+    of.values = places_of(results.texts(column));
+  } else {
+    of.is_text = false;
+  }
   if (of.is_text) {
     for (const double place : of.values) of.classes.push_back(static_cast<std::size_t>(place));
   } else if (std::ranges::all_of(of.values, [](double value) { return std::isfinite(value); })) {

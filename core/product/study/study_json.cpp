@@ -150,11 +150,6 @@ Json arrivals_json(const StudyResults& results, const CaseCourses& courses, cons
   for (std::size_t i = 0; i < results.arrivals.size(); ++i) {
     const StudyArrival& arrival = results.arrivals[i];
     const EventPlaces& ended = courses.events[i];
-    std::vector<double> x_m, y_m;
-    for (const Vec2& place_m : ended.places_m) {
-      x_m.push_back(place_m.x());
-      y_m.push_back(place_m.y());
-    }
     Json json{{"rover_id", arrival.rover_id},
               {"sequence", arrival.sequence},
               {"type", arrival.type},
@@ -164,9 +159,7 @@ Json arrivals_json(const StudyResults& results, const CaseCourses& courses, cons
               {"end_s", band_json(arrival.end_s)},
               {"charge", band_json(arrival.charge)},
               {"ellipse", ellipse_json(ended.spread.ellipse())},
-              {"ended_s", floats(ended.ended_s)},
-              {"ended_x_m", floats(x_m)},
-              {"ended_y_m", floats(y_m)}};
+              {"ended_s", floats(ended.ended_s)}};
     add_place(json, arrival.place, site);
     arrivals.push_back(std::move(json));
   }

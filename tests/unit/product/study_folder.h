@@ -80,7 +80,9 @@ class StudyFolder {
     }
     request.parameters = {{"SEV1/10.Speed", Kind::parameter, "SEV1/10.Speed", "m/s", "Speed."},
                           {"Noise", Kind::parameter, "Noise", "", "Moves nothing."},
-                          {"Soil", Kind::parameter, "Soil", "", "By name.", ColumnType::text}};
+                          {"Soil", Kind::parameter, "Soil", "", "By name.", ColumnType::text},
+                          {"MissionInfo.StartTime", Kind::parameter, "MissionInfo.StartTime", "s",
+                           "Later by the speed.", ColumnType::text}};
     request.gathered = {{"least charge", Kind::gathered, "SEV1", "", "Least charge."}};
     return request;
   }
@@ -100,9 +102,11 @@ class StudyFolder {
     const double end_s = is_failed ? 300 : 600;
     CaseRecord record;
     record.number = number;
-    record.values = {{"SEV1/10.Speed", speed_mps},
-                     {"Noise", random.uniform()},
-                     {"Soil", std::string(number % 2 == 0 ? "Sand" : "Duricrust")}};
+    record.values = {
+        {"SEV1/10.Speed", speed_mps},
+        {"Noise", random.uniform()},
+        {"Soil", std::string(number % 2 == 0 ? "Sand" : "Duricrust")},
+        {"MissionInfo.StartTime", format_utc(test_start() + from_seconds(1e5 * speed_mps))}};
     record.gathered = {{"least charge", least_charge}};
     record.status = is_failed ? "failed" : "completed";
     record.reason = is_failed ? "SEV1/20 'Leg 2' failed: stuck " + hostile : "";

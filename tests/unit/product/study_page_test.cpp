@@ -154,7 +154,8 @@ TEST_F(StudyPage, has_the_quantiles_of_the_table) {
 
 // The least charge is 1 - 0.3 speed: it falls with it and hangs on nothing else.
 TEST_F(StudyPage, tells_what_moves_a_result) {
-  ASSERT_EQ(study()["parameters"], Json({"SEV1/10.Speed", "Noise", "Soil"}));
+  ASSERT_EQ(study()["parameters"],
+            Json({"SEV1/10.Speed", "Noise", "Soil", "MissionInfo.StartTime"}));
   const Json& speed = influence_on("least charge", 0);
   EXPECT_EQ(speed["rho"], -1);
   EXPECT_EQ(speed["is_found"], true);
@@ -167,6 +168,8 @@ TEST_F(StudyPage, tells_what_moves_a_result) {
   EXPECT_TRUE(soil["rho"].is_null()) << "texts have no order";
   EXPECT_EQ(soil["classes"], 2);
   EXPECT_LT(soil["share"].get<double>(), 0.1);
+  const Json& start = influence_on("least charge", 3);
+  EXPECT_EQ(start["rho"], -1) << "but times have";
 }
 
 TEST_F(StudyPage, gives_no_shares_of_a_part_of_a_grid) {

@@ -42,10 +42,10 @@ class PairPlot {
   }
   show(numberAt, parameterAt) {
     const number = study.numbers[numberAt], parameter = columnOf(study.parameters[parameterAt]), cell = study.influence[numberAt][parameterAt];
-    const texts = parameter.is_text ? [...new Set(parameter.values)].filter(value => value !== null).sort() : null;
-    this.x = parameter.values.map(value => (value === null ? null : texts ? texts.indexOf(value) : value * parameter.shown.scale));
+    const texts = parameter.is_text && !parameter.times ? [...new Set(parameter.values)].filter(value => value !== null).sort() : null;
+    this.x = parameter.times || parameter.values.map(value => (value === null ? null : texts ? texts.indexOf(value) : value * parameter.shown.scale));
     this.y = valuesOf(number).map(value => (value === null ? null : value * shownOf(number).scale));
-    this.title.replaceChildren(`${numberTitle(number)}${unitText(shownOf(number))}`, make('span', {}, ` against ${parameter.name}${unitText(parameter.shown)}`));
+    this.title.replaceChildren(`${numberTitle(number)}${unitText(shownOf(number))}`, make('span', {}, ` against ${parameter.name}${unitText(parameter.times ? {unit: parameter.timeUnit} : parameter.shown)}`));
     this.about.textContent = [cell.rho === null ? '' : `Rank correlation ${placesText(cell.rho, 2)} (${chanceText(cell.p)}).`,
       cell.share === null ? '' : `First-order share ${percentOf(cell.share)} (${chanceText(cell.share_p)}).`].join(' ');
     this.scaleX = this.axis(this.x, 56, 626, texts);

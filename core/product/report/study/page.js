@@ -63,7 +63,7 @@ const chosenCase = {
     const none = make('button', {type: 'button', title: 'Show no case'}, '×');
     none.addEventListener('click', () => chooseCase());
     this.place.append(make('b', {style: `color:${outcomeInk(caseStatuses[choice.row])}`}, `Case ${number} `), `${outcomeText(caseStatuses[choice.row])} `,
-      ...(file ? [make('a', {href: `cases/${caseName(number)}/${file}`, id: 'open-case'}, file === 'report.html' ? 'open its report' : 'open its plan'), ' '] : []), none);
+      ...(file ? [make('a', {href: `cases/${caseName(number)}/${file}`, id: 'open-case', target: '_blank', rel: 'noopener'}, file === 'report.html' ? 'open its report' : 'open its plan'), ' '] : []), none);
   },
 };
 

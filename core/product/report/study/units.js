@@ -26,7 +26,14 @@ function mostIn(values) {
   return most;
 }
 for (const column of study.columns) {
-  Object.assign(column, {shown: column.is_text ? {unit: '', scale: 1} : shownAs(column.unit, mostIn(column.values))});
+  Object.assign(column, {shown: column.is_text ? {unit: '', scale: 1} : shownAs(column.unit, mostIn(column.values)), ...timesIn(column)});
+}
+// Times of a column of UTC as numbers from the first of them, and their unit; nothing of others.
+function timesIn({is_text: isText, values}) {
+  if (!isText || values.length === 0 || !values.every(value => /^\d{4}-\d\d-\d\dT[\d:.]+Z$/.test(value || ''))) return {};
+  const seconds = values.map(value => Date.parse(value.replace(/:60/, ':59')) / 1000), first = seconds.reduce((a, b) => Math.min(a, b));
+  const {unit, scale} = shownAs('s', seconds.reduce((most, value) => Math.max(most, value - first), 0));
+  return {times: seconds.map(value => (value - first) * scale), timeUnit: `${unit} after ${new Date(first * 1000).toISOString().slice(0, 16).replace('T', ' ')} UTC`};
 }
 // "SEV1_energy_used_j" as words: the unit is told beside it.
 const wordsOf = name => name.replace(/_(m|s|j|w|rad|pa|mps|kg|deg)$/, '').replaceAll('_', ' ');
