@@ -234,8 +234,8 @@ std::vector<KmlPlacemark> drawn_of(const StudyMarks& marks, const std::string& r
 }
 
 void add_styles(KmlDocument& document) {
-  for (const EventStatus status :
-       {EventStatus::completed, EventStatus::failed, EventStatus::incomplete}) {
+  for (const EventStatus status : {EventStatus::completed, EventStatus::failed,
+                                   EventStatus::incomplete, EventStatus::not_started}) {
     for (const bool has_label : {true, false}) {
       document.styles.push_back(status_style(status, has_label, server_icon));
     }

@@ -5,7 +5,7 @@ const caseNumbers = columnOf('case').values, caseStatuses = columnOf('status').v
 const rowOfCase = new Map(caseNumbers.map((number, row) => [number, row]));
 
 // Colours that people with any colour vision can tell apart (Okabe and Ito).
-const outcomeInks = {completed: '#0072b2', failed: '#d55e00', incomplete: '#e69f00', not_run: '#8a949e'};
+const outcomeInks = {completed: '#0072b2', failed: '#d55e00', incomplete: '#e69f00', not_started: '#e69f00', not_run: '#8a949e'};
 const outcomeInk = status => outcomeInks[status] || '#8a949e';
 const outcomeMarks = {completed: '✓', failed: '✕', incomplete: '…', not_run: '∅'};
 const outcomeText = status => (status === 'not_run' ? 'not run' : statusText(status));
