@@ -9,7 +9,7 @@
 #include "base/error.h"
 #include "product/study/gather.h"
 #include "record/rows.h"
-#include "record/table_reader.h"
+#include "record/table_file_reader.h"
 
 namespace lsos {
 
@@ -31,7 +31,7 @@ std::string text_of(const ColumnValue& value) {
 // The rows of a layer, with their values by name.
 class NamedRows {
  public:
-  NamedRows(const TableReader& reader, const std::string& file, const std::string& layer)
+  NamedRows(const TableFileReader& reader, const std::string& file, const std::string& layer)
       : file_(file), layer_(layer), columns_(reader.columns(layer)), rows_(reader.rows(layer)) {}
 
   std::size_t size() const { return rows_.size(); }
@@ -163,7 +163,7 @@ const StudyBand* StudyResults::band(const std::string& rover_id,
 
 StudyResults read_study_results(const std::string& folder) {
   const std::string file = folder + "/" + study_table;
-  const TableReader reader(file);
+  const TableFileReader reader(file);
   const NamedRows cases(reader, file, "cases");
   StudyResults results;
   results.columns = columns_of(NamedRows(reader, file, "columns"), cases);

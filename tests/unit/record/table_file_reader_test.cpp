@@ -1,5 +1,5 @@
 // Tables whose columns are known at run time come back as they were written.
-#include "record/table_reader.h"
+#include "record/table_file_reader.h"
 
 #include <gmock/gmock.h>
 
@@ -11,7 +11,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-TEST(TableReader, gives_back_what_was_written) {
+TEST(TableFileReader, gives_back_what_was_written) {
   const TestFolder folder;
   const std::string file = folder / "table.gpkg";
   const Geodetic place = geodetic_from_degrees(-10.5, -89.25, 12);
@@ -24,7 +24,7 @@ TEST(TableReader, gives_back_what_was_written) {
   table.begin({"none", LayerGeometry::none, {{"a"}}});
   table.finish();
 
-  const TableReader reader(file);
+  const TableFileReader reader(file);
   const std::vector<TableColumn> columns = reader.columns("ends");
   ASSERT_EQ(columns.size(), 3u);
   EXPECT_EQ(columns[0].type, ColumnType::integer);
@@ -42,15 +42,15 @@ TEST(TableReader, gives_back_what_was_written) {
   EXPECT_TRUE(reader.rows("none").empty());
 }
 
-TEST(TableReader, tells_what_is_not_there) {
+TEST(TableFileReader, tells_what_is_not_there) {
   const TestFolder folder;
   const std::string file = folder / "table.gpkg";
-  EXPECT_THROW(TableReader{file}, InputError);
+  EXPECT_THROW(TableFileReader{file}, InputError);
   TableFile table(file, moon_crs);
   table.begin({"a", LayerGeometry::none, {{"b"}}});
   table.finish();
   try {
-    TableReader(file).rows("cases");
+    TableFileReader(file).rows("cases");
     FAIL() << "there is no such layer";
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("table.gpkg: has no layer 'cases'"));

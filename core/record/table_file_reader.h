@@ -16,13 +16,13 @@ struct TableRow {
   std::optional<Geodetic> place;
 };
 
-class TableReader {
+class TableFileReader {
  public:
   // All functions throw InputError: there is no such file or layer, or it cannot be read.
-  explicit TableReader(const std::string& file);
-  ~TableReader();
-  TableReader(const TableReader&) = delete;
-  TableReader& operator=(const TableReader&) = delete;
+  explicit TableFileReader(const std::string& file);
+  ~TableFileReader();
+  TableFileReader(const TableFileReader&) = delete;
+  TableFileReader& operator=(const TableFileReader&) = delete;
 
   std::vector<TableColumn> columns(const std::string& layer) const;
   // All rows in the order in which they were written.

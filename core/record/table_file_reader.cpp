@@ -1,4 +1,4 @@
-#include "record/table_reader.h"
+#include "record/table_file_reader.h"
 
 #include <fmt/format.h>
 
@@ -25,7 +25,7 @@ ColumnType type_of(const OGRFieldDefn& field) {
 
 }  // namespace
 
-struct TableReader::Impl {
+struct TableFileReader::Impl {
   std::string file;
   gpkg::Dataset dataset;
 
@@ -36,16 +36,16 @@ struct TableReader::Impl {
   }
 };
 
-TableReader::TableReader(const std::string& file) : impl_(std::make_unique<Impl>()) {
+TableFileReader::TableFileReader(const std::string& file) : impl_(std::make_unique<Impl>()) {
   const gpkg::QuietErrors errors;
   impl_->file = file;
   impl_->dataset = gpkg::open_to_read(file);
   if (!impl_->dataset) throw InputError({file}, errors.message());
 }
 
-TableReader::~TableReader() = default;
+TableFileReader::~TableFileReader() = default;
 
-std::vector<TableColumn> TableReader::columns(const std::string& layer) const {
+std::vector<TableColumn> TableFileReader::columns(const std::string& layer) const {
   const gpkg::QuietErrors errors;
   OGRFeatureDefn& definition = *impl_->layer(layer).GetLayerDefn();
   std::vector<TableColumn> columns;
@@ -56,7 +56,7 @@ std::vector<TableColumn> TableReader::columns(const std::string& layer) const {
   return columns;
 }
 
-std::vector<TableRow> TableReader::rows(const std::string& layer) const {
+std::vector<TableRow> TableFileReader::rows(const std::string& layer) const {
   const std::vector<TableColumn> of = columns(layer);
   const gpkg::QuietErrors errors;
   OGRLayer& source = impl_->layer(layer);
