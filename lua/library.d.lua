@@ -618,6 +618,38 @@
 ---@field shear_modulus_y_m? number The same across the wheel (default: as along it).
 ---@field slip_sinkage? number How fast sinkage grows with shear under the wheel, see core/vehicle (default 2.7, the geometric mean of three measured soils).
 
+---@class lsos.study.keys
+---@field api integer Version of this interface: 1.
+---@field doc string One sentence: what the study is to show.
+---@field plan string The plan's file, relative to the study's.
+---@field cases? integer How many cases; of a grid all of it by default.
+---@field seed? integer Root seed of all draws (default 0).
+---@field sampling? string 'random' (default); 'latin_hypercube': each parameter's values in as many equally likely strata as there are cases, one of each; 'sobol': a low-discrepancy sequence; 'grid': each combination of lists and ranges. More cases keep the earlier ones, but with a Latin hypercube.
+---@field vary table[] What varies.
+---@field gather? table[] What is gathered of each case besides the numbers of its summary.
+---@field interval_s? number Between two times of the bands (default: about 200 of them in the plan's time).
+---@field keep? string Whose logs are kept: 'none' (default), 'failed' (of missions that did not complete), 'all'.
+
+---@class lsos.vary.keys
+---@field of string What varies, by its address: 'SEV1/20.Speed' or 'Leg 2.Speed' a field of an event, 'MissionInfo.StartTime', 'Rover SEV1.InitialCharge', 'Rover SEV1.battery.capacity_j' a number of the rover's script, 'Soil.cohesion_pa' of the ground's soil, 'SEV1/20.Place' or 'Rover SEV1.Place' where it is drawn.
+---@field factor? boolean The values multiply the number in the plan or script (default false).
+---@field list? number[] One of these values, as the plan would have them: each as likely as the others.
+---@field range? table Values at equal steps: { from = '2 km/h', to = '6 km/h', step = '1 km/h' }.
+---@field uniform? table[] Any value between two: { '2 km/h', '6 km/h' }.
+---@field normal? table Normally distributed and cut off: { mean = 4, deviation = 0.5, min = 2, max = 6 }.
+---@field triangular? table A most likely value between two: { min = 2, mode = 3, max = 6 }.
+---@field within? any Of a place: anywhere within this distance, m or a text such as '50 m'.
+
+---@class lsos.gather.keys
+---@field name? string Of its column (default: what it is).
+---@field summary? string A value of summary.json by its path: 'sim_s', 'rovers.SEV1.p95_slip', 'events.SEV1/20.end_s'.
+---@field quantity? string A quantity of the log's samples: 'charge', 'sinkage_m'.
+---@field event? string The event at which the quantity is taken, by label or ROVER/SEQUENCE.
+---@field at? string 'start' or 'end' of the event (default 'end').
+---@field rover? string Whose quantity, over all of the mission.
+---@field take? string The rover's 'least' or 'greatest' value.
+---@field share_when? string A condition, as in a plan: the share of the rover's time during which it holds.
+
 ---@class lsos
 ---@field fail fun(format: string, ...: any): lsos.answer Answer: the event has failed; the reason as string.format makes it.
 ---@field sleep fun(time_s: number): lsos.answer Answer: call this phase again after that long.
@@ -680,6 +712,9 @@
 ---@field soil_patch fun(keys: lsos.soil_patch.keys): lsos.made Ground of another soil.
 ---@field raster fun(keys: lsos.raster.keys): lsos.made Heights from a file.
 ---@field soil fun(keys: lsos.soil.keys): lsos.made What a script in terrain/soils/ returns.
+---@field study fun(keys: lsos.study.keys): lsos.made What a study's file returns: many runs of a plan.
+---@field vary fun(keys: lsos.vary.keys): lsos.made One thing that varies.
+---@field gather fun(keys: lsos.gather.keys): lsos.made What is gathered of each case.
 local lsos = {}
 
 return lsos

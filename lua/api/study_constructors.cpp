@@ -76,8 +76,10 @@ std::vector<std::string> named_values(TableReader& t, const char* key,
   for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1)) {
     const std::string name = lua_type(L, -2) == LUA_TSTRING ? lua_tostring(L, -2) : "";
     if (std::ranges::count(known, name) > 0) continue;
-    t.fault(fmt::format("{}: there is no key '{}'{}; there are {}", key, name,
-                        did_you_mean(name, known), fmt::join(known, ", ")));
+    const std::string hint = did_you_mean(name, known);
+    t.fault(
+        fmt::format("{}: there is no key '{}'{}", key, name,
+                    hint.empty() ? fmt::format("; there are {}", fmt::join(known, ", ")) : hint));
   }
   return values;
 }

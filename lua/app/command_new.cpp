@@ -146,7 +146,7 @@ NewFiles new_plan_file(const NewOptions& options, const Catalog& catalog) {
   return {{"plan", {options.name + ".kml", write_kml(new_plan(plan, kinds_of(catalog, {})))}}};
 }
 
-// Of a plan in any folder; the study lies in the working folder.
+// A study of a plan in any folder; it is written into the working folder.
 NewFiles new_study(const NewOptions& options) {
   const MissionFiles mission = read_mission(options.name);
   mission.faults.throw_if_errors();

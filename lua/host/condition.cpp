@@ -9,7 +9,6 @@
 
 #include "base/error.h"
 #include "base/units.h"
-#include "lua/host/condition_words.h"
 #include "lua/runtime/environment.h"
 #include "lua/runtime/state.h"
 #include "record/quantities.h"
@@ -270,13 +269,6 @@ bool condition_holds(lua_State* L, const std::string& text, const SampleRow& row
 
 bool condition_holds(lua_State* L, const std::string& text, const SampleRow& row) {
   return holds_with(L, text, row, nullptr);
-}
-
-bool has_question(const std::string& text) {
-  const std::vector<ConditionWord> words = condition_words(text);
-  return std::ranges::any_of(words, [](const ConditionWord& word) {
-    return word.kind == ConditionWord::Kind::name && is_question(word.text);
-  });
 }
 
 }  // namespace lsos

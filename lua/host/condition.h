@@ -27,8 +27,6 @@ bool condition_holds(lua_State* L, const std::string& text, const SampleRow& row
 
 // The same of a row of a log, for a condition without questions.
 bool condition_holds(lua_State* L, const std::string& text, const SampleRow& row);
-// Whether the condition asks what a row does not say: sees('SEV2').
-bool has_question(const std::string& text);
 
 // The values now of the quantities and questions that the condition names: "charge was 0.93,
 // sees('B') was false".

@@ -119,4 +119,11 @@ std::string condition_values(const std::string& text, const SampleRow& row,
   return fmt::format("{}", fmt::join(values, ", "));
 }
 
+bool has_question(const std::string& text) {
+  const std::vector<ConditionWord> words = condition_words(text);
+  return std::ranges::any_of(words, [](const ConditionWord& word) {
+    return word.kind == ConditionWord::Kind::name && is_question(word.text);
+  });
+}
+
 }  // namespace lsos

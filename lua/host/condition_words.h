@@ -19,4 +19,7 @@ std::vector<ConditionWord> condition_words(const std::string& text);
 // The argument of the question at `i`, as in sees('B') or sees 'B'; nullptr if it is no plain text.
 const std::string* question_argument(const std::vector<ConditionWord>& words, std::size_t i);
 
+// Whether the condition asks what a row of the log does not say: sees('SEV2').
+bool has_question(const std::string& text);
+
 }  // namespace lsos

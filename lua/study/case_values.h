@@ -9,10 +9,6 @@
 
 namespace lsos {
 
-// Checks what is to be gathered against the plan; events become ROVER/SEQUENCE and each gets a
-// name.
-void check_gatherings(StudyFiles& files, Faults& faults);
-
 struct CaseValues {
   CaseRecord::Values gathered;  // absent values are left out
   std::vector<CaseRecord::Event> events;

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -69,9 +70,9 @@ void print_case(const CheckedCase& checked) {
   for (const Fault& fault : checked.faults) print_result("  fault: {}\n", fault.what);
 }
 
-// Wall time of one case, run in a process and a folder that are gone afterwards; absent where it
-// could not be run.
-std::optional<double> measured_s(const StudyFiles& files, std::int64_t number) {
+// Wall time of one case, run in a process and a folder that are gone afterwards; NaN where it could
+// not be run.
+double measured_s(const StudyFiles& files, std::int64_t number) {
   const fs::path folder =
       fs::temp_directory_path() / fmt::format("lsos-host-{}-{}", files.study.name, getpid());
   fs::create_directories(folder / "cases");
@@ -85,7 +86,7 @@ std::optional<double> measured_s(const StudyFiles& files, std::int64_t number) {
       {number}, [&](std::int64_t, const auto& ending) { is_done = ending.is_success(); }, [] {});
   std::error_code ignored;
   fs::remove_all(folder, ignored);
-  if (signal != 0 || !is_done) return {};
+  if (signal != 0 || !is_done) return std::nan("");
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
@@ -107,23 +108,17 @@ int dry_run(const StudyFiles& files, const std::vector<std::int64_t>& numbers, s
     has_faults |= !one.faults.empty();
     if (one.faults.empty() && !sound) sound = number;
   }
-  const std::optional<double> case_s = sound ? measured_s(files, *sound) : std::nullopt;
-  const std::optional<double> all_s =
-      case_s ? std::optional(*case_s * static_cast<double>(numbers.size()) /
-                             static_cast<double>(std::min(jobs, numbers.size())))
-             : std::nullopt;
+  const double case_s = sound ? measured_s(files, *sound) : std::nan("");
+  const double all_s = case_s * static_cast<double>(numbers.size()) /
+                       static_cast<double>(std::min(jobs, numbers.size()));
   if (options.is_json) {
-    const auto number = [](const std::optional<double>& value) {
-      return value ? Json(*value) : Json(nullptr);
-    };
-    const Json answer{{"cases", cases},
-                      {"jobs", jobs},
-                      {"case_wall_s", number(case_s)},
-                      {"estimate_wall_s", number(all_s)}};
+    // The library writes NaN as null.
+    const Json answer{
+        {"cases", cases}, {"jobs", jobs}, {"case_wall_s", case_s}, {"estimate_wall_s", all_s}};
     print_result("{}\n", answer.dump(2, ' ', false, Json::error_handler_t::replace));
-  } else if (case_s) {
+  } else if (std::isfinite(case_s)) {
     print_result("case {} took {:.1f} s; {} cases, {} at a time, would take about {}\n", *sound,
-                 *case_s, numbers.size(), jobs, clock_text(*all_s));
+                 case_s, numbers.size(), jobs, clock_text(all_s));
   }
   return has_faults ? 2 : 0;
 }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "lua/study/study_files.h"
-#include "lua/study/sweep.h"
+#include "lua/study/sweep_options.h"
 
 namespace lsos {
 

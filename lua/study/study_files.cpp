@@ -15,7 +15,7 @@
 #include "lua/runtime/reader.h"
 #include "lua/runtime/state.h"
 #include "lua/study/base_number.h"
-#include "lua/study/case_values.h"
+#include "lua/study/gathering_check.h"
 #include "plan/kmz_archive.h"
 #include "study/case_plan.h"
 #include "study/stop_rule.h"
@@ -182,7 +182,7 @@ StudyFiles read_study(const std::string& file) {
                                  [](const std::string& key) { return find_unit(si_unit_of(key)); }};
   files.parameters = parameters_of(files.study, context, faults);
   if (!faults.has_errors()) files.cases = count_cases(files, faults);
-  check_gatherings(files, faults);
+  check_gatherings(files.base, files.study, faults);
   check_stop_rule(files.study, faults);
   note_use(files.base, files);
   check_extremes(files, faults);

@@ -40,11 +40,9 @@ void tell_warnings(const StudyFiles& files) {
   for (const Fault& fault : files.base.faults.sorted()) print_message("{}\n", to_string(fault));
 }
 
-// Those that are to be run now. `last`: the last that is needed, unless --cases names some.
-std::vector<std::int64_t> open_cases(const StudyFiles& files, const SweepOptions& options,
-                                     const std::string& folder, std::int64_t last) {
-  std::vector<std::int64_t> numbers =
-      listed_cases(options.cases, options.cases.empty() ? last : files.cases);
+// Those that are to be run now.
+std::vector<std::int64_t> open_cases(std::vector<std::int64_t> numbers, const SweepOptions& options,
+                                     const std::string& folder) {
   std::erase_if(numbers, [&](std::int64_t number) {
     if (is_done(folder, number)) return true;
     const std::string mark = not_run_file(folder, number);
@@ -106,11 +104,8 @@ class SweepNews {
 };
 
 // Whether those of the cases that were asked for are done.
-bool are_done(const StudyFiles& files, const SweepOptions& options, const std::string& folder,
-              std::int64_t last) {
-  return std::ranges::all_of(
-      listed_cases(options.cases, options.cases.empty() ? last : files.cases),
-      [&](std::int64_t number) { return is_done(folder, number); });
+bool are_done(const std::vector<std::int64_t>& numbers, const std::string& folder) {
+  return std::ranges::all_of(numbers, [&](std::int64_t number) { return is_done(folder, number); });
 }
 
 }  // namespace
@@ -152,12 +147,16 @@ int sweep(const SweepOptions& options) {
   if (!options.is_quiet) tell_warnings(files);
   const std::string folder = study_folder(options);
   const auto jobs = options.jobs > 0 ? static_cast<std::size_t>(options.jobs) : processors();
-  if (options.is_dry)
-    return dry_run(files, listed_cases(options.cases, files.cases), jobs, options);
+  const std::vector<std::int64_t> wanted = listed_cases(options.cases, files.cases);
+  if (options.is_dry) return dry_run(files, wanted, jobs, options);
   open_study_folder(files, folder);
   StopWatch enough(files, folder);
   const auto last_case = [&] { return enough.last_case().value_or(files.cases); };
-  const std::vector<std::int64_t> numbers = open_cases(files, options, folder, last_case());
+  // Those that the study needs, unless --cases names some.
+  const auto needed = [&] {
+    return options.cases.empty() ? listed_cases("", last_case()) : wanted;
+  };
+  const std::vector<std::int64_t> numbers = open_cases(needed(), options, folder);
   const int threads =
       options.threads > 0 ? options.threads : std::max(1, static_cast<int>(processors() / jobs));
   SweepNews news(folder, sweep_state(folder, files.cases), jobs, options.is_quiet);
@@ -183,7 +182,7 @@ int sweep(const SweepOptions& options) {
   print_result("{}", options.is_json ? to_json(state) : to_text(state) + "\n");
   if (!options.is_json && enough.last_case()) print_result("{}\n", enough.text());
   if (!options.is_json) print_result("results in {}\n", folder);
-  return are_done(files, options, folder, last_case()) ? 0 : 1;
+  return are_done(needed(), folder) ? 0 : 1;
 }
 
 int sweep_status(const SweepOptions& options) {
@@ -198,6 +197,10 @@ int sweep_gather(const SweepOptions& options) {
   const std::string folder = study_folder(options);
   check_study_folder(files, folder);
   const Gathered gathered = write_study(files, folder, product_threads(options));
+  if (options.is_json) {
+    print_result("{}", to_json(sweep_state(folder, files.cases)));
+    return 0;
+  }
   print_result("{} of {} cases in {}/{}, {} and {}\n", gathered.cases, files.cases, folder,
                study_table, study_page_file, study_overlay_file);
   return 0;

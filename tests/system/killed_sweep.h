@@ -1,4 +1,4 @@
-// Sweeps whose processes are killed at random moments, against one that was not.
+// Sweeps whose processes are killed or stopped at random moments, against one that was not.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -25,13 +25,13 @@ class KilledSweep : public ::testing::Test {
         study_text("cases = 6, sampling = 'sobol',",
                    "lsos.vary { of = 'A/10.Speed', uniform = { '0.5 m/s', '1.5 m/s' } }"));
     const auto begin = std::chrono::steady_clock::now();
-    ASSERT_EQ(run(sweep("whole"), {.folder = folder_.path()}).exit_code, 0);
+    ASSERT_EQ(run_command(sweep("whole"), {.folder = folder_.path()}).exit_code, 0);
     took_s_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     whole_ = equal_parts(folder_ / "whole");
   }
 
-  // Kills a sweep, or one of its cases, at `count` random moments; each sweep goes on in the folder
-  // of the one before until it is whole, and then another begins.
+  // Kills or stops a sweep, or kills one of its cases, at `count` random moments; each sweep goes
+  // on in the folder of the one before until it is whole, and then another begins.
   void kill(int count) {
     std::string name = "killed";
     for (int i = 0; i < count; ++i) {
@@ -44,7 +44,7 @@ class KilledSweep : public ::testing::Test {
       EXPECT_EQ(equal_parts(folder_ / name), whole_) << name;
       name = "killed" + std::to_string(i);
     }
-    ASSERT_EQ(run(sweep(name), {.folder = folder_.path()}).exit_code, 0);
+    ASSERT_EQ(run_command(sweep(name), {.folder = folder_.path()}).exit_code, 0);
     EXPECT_EQ(equal_parts(folder_ / name), whole_);
   }
 
@@ -73,10 +73,15 @@ class KilledSweep : public ::testing::Test {
     while (std::chrono::steady_clock::now() < end && sweeping.is_running()) {
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
-    if (std::bernoulli_distribution(0.5)(random_)) {
-      sweeping.signal(SIGKILL);
-    } else {
-      kill_a_case(sweeping);
+    switch (std::uniform_int_distribution(0, 2)(random_)) {
+      case 0:
+        sweeping.signal(SIGKILL);
+        break;
+      case 1:
+        sweeping.signal(SIGTERM);  // its cases write checkpoints
+        break;
+      default:
+        kill_a_case(sweeping);
     }
     return sweeping.wait().exit_code == 0;
   }

@@ -36,14 +36,23 @@ inline nlohmann::json rows(const std::filesystem::path& folder, const std::strin
   return outcome.out.empty() ? nlohmann::json::array() : nlohmann::json::parse(outcome.out);
 }
 
+// All rows of a table in their order, without their points.
+inline nlohmann::json all_rows(const std::filesystem::path& folder, const std::string& table) {
+  const auto names = rows(folder,
+                          "SELECT group_concat('\"' || name || '\"') AS names FROM "
+                          "pragma_table_info('" +
+                              table + "') WHERE name <> 'geom'");
+  return rows(folder, "SELECT " + names[0]["names"].get<std::string>() + " FROM " + table +
+                          " ORDER BY fid");
+}
+
 // All that two equal sweeps have alike.
 inline nlohmann::json equal_parts(const std::filesystem::path& folder) {
   nlohmann::json all;
   for (const char* table : {"cases", "bands", "arrivals", "ends", "columns"}) {
-    all[table] = rows(folder, std::string("SELECT * FROM ") + table + " ORDER BY fid");
+    all[table] = all_rows(folder, table);
     for (nlohmann::json& row : all[table]) {
       for (const char* machine : {"wall_s", "cpu_s", "real_time_factor"}) row.erase(machine);
-      row.erase("geom");
     }
   }
   return all;

@@ -22,7 +22,8 @@ struct CaseRecord {
     std::int64_t sequence = 0;
     std::string status, reason;
     std::optional<double> end_s, charge;  // charge: at its end
-    std::optional<Geodetic> place;        // of the rover then
+    // Where the rover then was; of the first that did not end, where its mission ended.
+    std::optional<Geodetic> place;
   };
 
   std::int64_t number = 0;

@@ -15,7 +15,7 @@ std::optional<CaseRecord> record_in(const std::string& folder, std::int64_t numb
   return read_case_record(read_file(not_run_file(folder, number)).value_or(""));
 }
 
-// A row of layer `ends`, of an event that failed or did not end.
+// A row of layer `ends`, of an event that failed, or at which a rover's mission ended.
 struct End {
   std::int64_t number = 0;
   CaseRecord::Event event;
@@ -25,7 +25,8 @@ std::vector<End> ends_of(const CaseRecord& record) {
   std::vector<End> ends;
   if (record.status == "completed") return ends;
   for (const CaseRecord::Event& event : record.events) {
-    const bool is_bad = event.status == "failed" || event.status == "incomplete";
+    const bool is_bad =
+        event.status == "failed" || event.status == "incomplete" || event.status == "not_started";
     if (is_bad && event.place) ends.push_back({record.number, event});
   }
   return ends;

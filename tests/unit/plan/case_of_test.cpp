@@ -1,0 +1,64 @@
+// A plan that is a case of another: scripts and rasters lie beside that one.
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "plan/kml_reader.h"
+#include "unit/plan/plan_fixture.h"
+
+namespace lsos::test {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+class CaseOf : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    fs::create_directories(folder_ / "out/cases/000001");
+    std::ofstream(folder_ / "base.kml") << "a plan";
+    std::ofstream(folder_ / "ground.tif") << "a raster";
+  }
+  ~CaseOf() override { fs::remove_all(folder_); }
+
+  Plan read(const Fields& fields) {
+    faults_ = {};
+    const std::string file = folder_ / "out/cases/000001/plan.kml";
+    const std::string text = document(mission(fields) + rover("A"));
+    return read_plan(file, parse_kml(text, file), declarations(), faults_);
+  }
+
+  fs::path folder_ = fs::path(::testing::TempDir()) / "lsos_case_of";
+  Faults faults_;
+};
+
+TEST_F(CaseOf, names_the_plan_beside_which_rasters_lie) {
+  const Plan plan = read({{"CaseOf", "../../../base.kml"}, {"TerrainBeyond", "ground.tif"}});
+  EXPECT_FALSE(faults_.has_errors());
+  EXPECT_TRUE(fs::equivalent(plan.home, folder_ / "base.kml"));
+  EXPECT_TRUE(plan.mission.terrain_beyond.is_raster);
+  EXPECT_TRUE(fs::equivalent(plan.mission.terrain_beyond.name, folder_ / "ground.tif"));
+}
+
+TEST_F(CaseOf, is_no_part_of_what_the_plan_says) {
+  const std::string hash = read({{"CaseOf", "../../../base.kml"}}).hash();
+  EXPECT_EQ(hash, read({}).hash());
+  EXPECT_NE(hash, read({{"Soil", "Sand"}}).hash());
+  EXPECT_NE(read({{"Soil", "Sand"}}).hash(), read({{"SoilVariant", "Sand"}}).hash());
+}
+
+TEST_F(CaseOf, must_name_a_plan_that_is_there) {
+  read({{"CaseOf", "../../other.kml"}});
+  ASSERT_TRUE(faults_.has_errors());
+  EXPECT_THAT(to_string(faults_.sorted().front()),
+              HasSubstr("MissionInfo: CaseOf = '../../other.kml': there is no plan "));
+}
+
+TEST_F(CaseOf, is_absent_from_other_plans) {
+  const Plan plan = read({});
+  EXPECT_EQ(plan.home, plan.file);
+}
+
+}  // namespace
+}  // namespace lsos::test
