@@ -34,28 +34,6 @@ KmlFolder folder_of(std::string name, OverlayMarks marks) {
   return folder;
 }
 
-// A view from above that holds all places, centred on the first.
-class LookAtBounds {
- public:
-  void add(const Geodetic& place) {
-    if (!first_) first_ = place;
-    places_.push_back(place);
-  }
-  std::optional<KmlLookAt> look_at(const Body& body) const {
-    constexpr double least_m = 300, ranges = 2.2;  // multiple of the distance to the farthest place
-    if (!first_) return {};
-    double farthest_m = 0;
-    for (const Geodetic& place : places_) {
-      farthest_m = std::max(farthest_m, surface_distance_m(body, *first_, place));
-    }
-    return KmlLookAt{*first_, std::max(least_m, ranges * farthest_m)};
-  }
-
- private:
-  std::optional<Geodetic> first_;
-  std::vector<Geodetic> places_;
-};
-
 // How many days a mission has, the last of them part of a day.
 int day_count(SimTime end) {
   return static_cast<int>((end + day_length - SimTime{1}) / day_length);
@@ -201,12 +179,12 @@ std::string overlay_kml(const LogReader& log, const Plan& plan, IconPlace icon_h
     }
   }
   document.styles.push_back(warning_style(icon_href));
-  LookAtBounds bounds;
+  std::vector<Geodetic> places;
   const std::map<std::string, SampleTotals> totals = log.sample_totals();
   for (const auto& [rover_id, track] : tracks(log, plan, totals, logged.events)) {
     const RoverStyle style(i++);
     style.add_to(document.styles, icon_href);
-    for (const SampleRow& row : track.samples()) bounds.add(row.place);
+    for (const SampleRow& row : track.samples()) places.push_back(row.place);
     KmlFolder rover = named_folder(rover_id);
     rover.open = true;
     const std::size_t shown = track.samples().size(), in_log = totals.at(rover_id).rows;
@@ -221,7 +199,7 @@ std::string overlay_kml(const LogReader& log, const Plan& plan, IconPlace icon_h
   document.folders.push_back(folder_of(
       is_whole ? "notes" : fmt::format("notes ({} of {})", notes.rows.size(), notes.in_log),
       note_points(notes, logged.start)));
-  document.look_at = bounds.look_at(*plan.mission.planet);
+  document.look_at = look_at(*plan.mission.planet, places);
   return write_kml(document);
 }
 

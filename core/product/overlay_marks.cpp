@@ -88,13 +88,22 @@ KmlPlacemark placemark(const Row& row, Instant start, std::string name) {
 
 KmlGeometry point(const Geodetic& place) { return {KmlGeometryKind::point, {place}}; }
 
-// XML's calendar has no second 60: within a leap second the result is "", no time to show.
+}  // namespace
+
+std::optional<KmlLookAt> look_at(const Body& body, const std::vector<Geodetic>& places) {
+  constexpr double least_m = 300, ranges = 2.2;  // multiple of the distance to the farthest place
+  if (places.empty()) return {};
+  double farthest_m = 0;
+  for (const Geodetic& place : places) {
+    farthest_m = std::max(farthest_m, surface_distance_m(body, places.front(), place));
+  }
+  return KmlLookAt{places.front(), std::max(least_m, ranges * farthest_m)};
+}
+
 std::string xml_time(Instant instant) {
   const std::string utc = format_utc(instant);
   return utc.find(":60.") == std::string::npos ? utc : "";
 }
-
-}  // namespace
 
 std::vector<KmlSchema> overlay_schemas() {
   return {schema<SampleRow>(), schema<EventRow>(), schema<PlannedPathRow>(), schema<NoteRow>(),

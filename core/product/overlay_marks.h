@@ -21,6 +21,11 @@ struct OverlayMark {
 };
 using OverlayMarks = std::vector<OverlayMark>;
 
+// A view from above that holds all places, centred on the first; absent where there are none.
+std::optional<KmlLookAt> look_at(const Body& body, const std::vector<Geodetic>& places);
+// XML's calendar has no second 60: within a leap second the result is "", no time to show.
+std::string xml_time(Instant instant);
+
 // The schemas of the columns that the Placemarks have.
 std::vector<KmlSchema> overlay_schemas();
 

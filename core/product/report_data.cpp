@@ -107,30 +107,13 @@ ReportRover* find_rover(ReportData& data, const std::string& id) {
   return found == data.rovers.end() ? nullptr : &*found;
 }
 
-void read_lines(const LogReader& log, const Plan& plan, const SiteFrame& site, ReportData& data) {
-  for (const PlanRover& planned : plan.rovers) {
-    if (ReportRover* rover = find_rover(data, planned.id)) rover->type = planned.type;
-  }
-  for (const PlanEvent& event : plan.events) {
-    ReportRover* rover = find_rover(data, event.rover_id);
-    if (rover == nullptr || event.geometry.points.size() < 2) continue;
-    ReportLine line = map_line(site, event.geometry.points);
-    if (event.geometry.kind == GeometryKind::polygon) line.push_back(line.front());
-    rover->drawn.push_back(std::move(line));
-    for (const std::vector<Geodetic>& hole : event.geometry.holes) {
-      rover->drawn.push_back(map_line(site, hole));
-      rover->drawn.back().push_back(rover->drawn.back().front());
-    }
-  }
+void read_planned(const LogReader& log, const SiteFrame& site, ReportData& data) {
   const ShownRows paths = for_each_shown_path(log, [&](const PlannedPathRow& path) {
     if (ReportRover* rover = find_rover(data, path.rover_id)) {
       rover->planned.push_back(map_line(site, path.line));
     }
   });
   if (!paths.is_whole()) data.left_out.push_back(shown_text(paths, "planned paths"));
-  for (const PlanAsset& asset : plan.assets) {
-    data.assets.push_back({asset.id, asset.type, map_point(site, asset.position)});
-  }
 }
 
 // Sight or link between two ends that is not over: since when, from rows of `pairs` after the last
@@ -240,6 +223,26 @@ SiteFrame site_of(const LogReader& log, const Plan& plan) {
   return SiteFrame(*plan.mission.planet, first ? first->place : Geodetic{});
 }
 
+void add_drawn(const Plan& plan, const SiteFrame& site, ReportData& data) {
+  for (const PlanRover& planned : plan.rovers) {
+    if (ReportRover* rover = find_rover(data, planned.id)) rover->type = planned.type;
+  }
+  for (const PlanEvent& event : plan.events) {
+    ReportRover* rover = find_rover(data, event.rover_id);
+    if (rover == nullptr || event.geometry.points.size() < 2) continue;
+    ReportLine line = map_line(site, event.geometry.points);
+    if (event.geometry.kind == GeometryKind::polygon) line.push_back(line.front());
+    rover->drawn.push_back(std::move(line));
+    for (const std::vector<Geodetic>& hole : event.geometry.holes) {
+      rover->drawn.push_back(map_line(site, hole));
+      rover->drawn.back().push_back(rover->drawn.back().front());
+    }
+  }
+  for (const PlanAsset& asset : plan.assets) {
+    data.assets.push_back({asset.id, asset.type, map_point(site, asset.position)});
+  }
+}
+
 ReportData read_report_data(const LogReader& log, const Plan& plan, const SiteFrame& site,
                             const ReportScope& scope) {
   ReportData data;
@@ -254,7 +257,8 @@ ReportData read_report_data(const LogReader& log, const Plan& plan, const SiteFr
     return std::pair(event.rover_id, event.sequence);
   });
   read_samples(log, site, scope, data);
-  read_lines(log, plan, site, data);
+  add_drawn(plan, site, data);
+  read_planned(log, site, data);
   data.notes = thinned_notes(log);
   read_pairs(log, data);
   return data;

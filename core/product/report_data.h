@@ -97,6 +97,9 @@ struct ReportData {
 ReportData read_report_data(const LogReader& log, const Plan& plan, const SiteFrame& site,
                             const ReportScope& scope = {});
 
+// Adds what the plan has on the map: types and drawn lines of the rovers in `data`, and assets.
+void add_drawn(const Plan& plan, const SiteFrame& site, ReportData& data);
+
 // The site frame of a log, estimated from its first sample; accurate enough to draw a map.
 SiteFrame site_of(const LogReader& log, const Plan& plan);
 

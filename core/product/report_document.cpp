@@ -4,12 +4,12 @@
 
 #include <array>
 #include <cmath>
-#include <cstring>
 
 #include "base/base64.h"
 #include "base/units.h"
 #include "product/column_json.h"
 #include "product/event_kinds.h"
+#include "product/packed_numbers.h"
 #include "record/columns.h"
 #include "record/json_text.h"
 
@@ -18,22 +18,6 @@ namespace lsos {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-// Little-endian, as in browsers.
-template <class Number>
-std::string packed(const std::vector<double>& values, double per_unit) {
-  std::string bytes(values.size() * sizeof(Number), '\0');
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    Number number{};
-    if constexpr (std::is_integral_v<Number>) {
-      number = static_cast<Number>(std::llround(values[k] * per_unit));
-    } else {
-      number = static_cast<Number>(values[k] * per_unit);
-    }
-    std::memcpy(bytes.data() + k * sizeof number, &number, sizeof number);
-  }
-  return base64(bytes);
-}
 
 std::string times(const ThinnedRows& rows) { return packed<double>(rows.times_s(), 1); }
 std::string numbers(const ThinnedRows& rows, std::size_t column) {

@@ -166,9 +166,11 @@ void add_shadow(ReportMap& map, const Ground& ground, Instant at, int threads) {
 
 }  // namespace
 
-std::optional<ReportMap> report_map(const Ground& ground, const ReportData& data, SimTime shadow_at,
-                                    int threads) {
-  const Bounds bounds = bounds_of(data);
+std::optional<ReportMap> report_map(const Ground& ground, const ReportData& data,
+                                    std::optional<SimTime> shadow_at, int threads,
+                                    const ReportLine& also) {
+  Bounds bounds = bounds_of(data);
+  bounds.add({also});
   if (bounds.is_empty()) return std::nullopt;
   ReportMap map = bounds.map();
   const MapCells grid = cells_over(map, relief_px);
@@ -185,8 +187,9 @@ std::optional<ReportMap> report_map(const Ground& ground, const ReportData& data
     map.highest_m = std::max(map.highest_m, height_m);
   }
   map.relief = relief(heights_m, grid);
-  map.shadow_s = seconds(shadow_at);
-  add_shadow(map, ground, data.start + shadow_at, threads);
+  if (!shadow_at) return map;
+  map.shadow_s = seconds(*shadow_at);
+  add_shadow(map, ground, data.start + *shadow_at, threads);
   return map;
 }
 

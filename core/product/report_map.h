@@ -8,9 +8,10 @@
 
 namespace lsos {
 
-// The map covers all that was drawn, planned and driven; absent where there is nothing of these.
-// `shadow_at`: since the start.
-std::optional<ReportMap> report_map(const Ground& ground, const ReportData& data, SimTime shadow_at,
-                                    int threads);
+// The map covers all that was drawn, planned and driven, and `also`; absent where there is nothing
+// of these. `shadow_at`: since the start; none: without shadow.
+std::optional<ReportMap> report_map(const Ground& ground, const ReportData& data,
+                                    std::optional<SimTime> shadow_at, int threads,
+                                    const ReportLine& also = {});
 
 }  // namespace lsos

@@ -10,7 +10,7 @@ namespace lsos {
 
 // Files of report/ and dygraphs, defined in a source that embed.cmake writes.
 extern const std::string_view page_frame, page_style, common_scripts, dygraphs;
-extern const std::string_view run_scripts, several_runs_scripts, telemetry_scripts;
+extern const std::string_view run_scripts, several_runs_scripts, telemetry_scripts, study_scripts;
 
 namespace {
 
@@ -28,6 +28,8 @@ std::string_view scripts_of(PageKind kind) {
       return several_runs_scripts;
     case PageKind::telemetry:
       return telemetry_scripts;
+    case PageKind::study:
+      return study_scripts;
   }
   return {};
 }

@@ -7,7 +7,7 @@
 namespace lsos {
 
 // What a page shows decides which script fills it; maps and plots are common to all.
-enum class PageKind { run, several_runs, telemetry };
+enum class PageKind { run, several_runs, telemetry, study };
 
 // `document`: as of report_document, with what that kind of page has besides.
 std::string report_page(const nlohmann::ordered_json& document, PageKind kind);

@@ -52,6 +52,17 @@ struct Gathering {
 enum class Keep { none, failed, all };
 const char* to_string(Keep keep);
 
+// When a sweep stops before all cases have run.
+struct StopRule {
+  Place place;
+  std::string of;                  // what is gathered, by its name, or share_completed
+  std::optional<double> quantile;  // of it that is wanted, 0..1; none of share_completed
+  double within = 0;               // half the width of its 95 % interval that is narrow enough, SI
+  std::int64_t after = 30;         // not before so many cases
+};
+// The share of missions that complete.
+inline constexpr const char* share_completed = "completed";
+
 struct Study {
   Place place;
   std::string file;  // of the study
@@ -65,6 +76,7 @@ struct Study {
   std::vector<Gathering> gathered;
   double interval_s = 0;  // between two times of the bands; 0: by the plan
   Keep keep = Keep::none;
+  std::optional<StopRule> stop_when;
 };
 
 // Greatest number of cases: their folders are named by six digits.

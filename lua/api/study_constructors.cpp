@@ -10,7 +10,7 @@ namespace lsos {
 
 namespace {
 
-constexpr const char *vary_kind = "vary", *gather_kind = "gather";
+constexpr const char *vary_kind = "vary", *gather_kind = "gather", *stop_kind = "stop_when";
 
 // The value at the top as a plan would have it; absent for what no field can be.
 std::optional<std::string> plan_text(lua_State* L) {
@@ -183,6 +183,25 @@ void read_gather(TableReader& t, Gathering& gathering) {
       "and share_when");
 }
 
+void read_stop_rule(TableReader& t, StopRule& rule) {
+  t.text(required, "of", rule.of,
+         "What is to be known: the name of something gathered, or 'completed', the share of "
+         "missions that complete.");
+  t.number(optional, "quantile", rule.quantile, {0.001, 0.999},
+           "Of what is gathered the value that this share of cases stays below: 0.05.");
+  constexpr double least = 1e-12;
+  t.number(required, "within", rule.within, {least, 1e15},
+           "How well: its 95 % interval reaches no farther than this to either side on average, in "
+           "the unit of its column.");
+  t.integer(optional, "after", rule.after, {10, static_cast<double>(cases_max)},
+            "Not before so many cases (default 30).");
+  if (t.L() == nullptr) return;
+  rule.place = t.place();
+  const bool is_share = rule.of == share_completed;
+  if (is_share && rule.quantile) t.fault("quantile: the share of missions has none");
+  if (!is_share && !rule.quantile) t.fault("quantile is missing: 0.5 is the median");
+}
+
 void read_study(TableReader& t, Study& study) {
   t.api_version();
   t.text(required, "doc", study.doc, "One sentence: what the study is to show.");
@@ -212,7 +231,11 @@ void read_study(TableReader& t, Study& study) {
   t.word(optional, "keep", keeps, study.keep,
          "Whose logs are kept: 'none' (default), 'failed' (of missions that did not complete), "
          "'all'.");
+  StopRule rule;
+  t.made(optional, "stop_when", stop_kind, rule,
+         "When enough cases have run; with 'random' and 'sobol' sampling.");
   if (t.L() == nullptr) return;
+  if (!rule.of.empty()) study.stop_when = rule;
   study.place = t.place();
   if (study.sampling != Sampling::grid && !study.cases) {
     t.fault("cases is missing: how many are wanted");
@@ -225,7 +248,8 @@ std::vector<Constructor> study_constructors() {
   return {
       constructor<Study, read_study>("study", "What a study's file returns: many runs of a plan."),
       constructor<Variation, read_vary>(vary_kind, "One thing that varies."),
-      constructor<Gathering, read_gather>(gather_kind, "What is gathered of each case.")};
+      constructor<Gathering, read_gather>(gather_kind, "What is gathered of each case."),
+      constructor<StopRule, read_stop_rule>(stop_kind, "When a study has run enough cases.")};
 }
 
 }  // namespace lsos

@@ -62,12 +62,13 @@ int Pool::run(const std::vector<std::int64_t>& numbers, const Ended& on_end,
   std::signal(SIGCHLD, note_child);
   std::size_t next = 0;
   bool is_stopping = false;
-  while (!children_.empty() || (next < numbers.size() && !is_stopping)) {
+  const auto has_next = [&] { return next < numbers.size() && numbers[next] <= last_; };
+  while (!children_.empty() || (has_next() && !is_stopping)) {
     if (stop_signal != 0 && !is_stopping) {
       is_stopping = true;
       for (const auto& [number, child] : children_) child.send(SIGTERM);
     }
-    while (!is_stopping && children_.size() < processes_ && next < numbers.size()) {
+    while (!is_stopping && children_.size() < processes_ && has_next()) {
       start(numbers[next++]);
     }
     for (auto child = children_.begin(); child != children_.end();) {
@@ -76,7 +77,7 @@ int Pool::run(const std::vector<std::int64_t>& numbers, const Ended& on_end,
       child = ending ? children_.erase(child) : std::next(child);
     }
     on_turn();
-    const bool may_start = !is_stopping && next < numbers.size() && children_.size() < processes_;
+    const bool may_start = !is_stopping && has_next() && children_.size() < processes_;
     if (may_start || children_.empty()) continue;
     const timespec turn{0, 50'000'000};
     nanosleep(&turn, nullptr);

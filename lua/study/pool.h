@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <map>
 #include <vector>
 
@@ -20,19 +21,23 @@ class Pool {
 
   Pool(std::size_t processes, Work work) : processes_(processes), work_(std::move(work)) {}
 
-  // Runs the cases in their order. Each process is forked from this one, which must have no
-  // threads. `on_turn` is called some ten times a second. A first SIGINT or SIGTERM is passed on to
-  // the processes, which then stop with a checkpoint. Returns the signal, or 0 when all have ended.
+  // Runs the cases in their order, which is that of their numbers. Each process is forked from this
+  // one, which must have no threads. `on_turn` is called some ten times a second. A first SIGINT or
+  // SIGTERM is passed on to the processes, which then stop with a checkpoint. Returns the signal,
+  // or 0 when all have ended.
   int run(const std::vector<std::int64_t>& numbers, const Ended& on_end,
           const std::function<void()>& on_turn);
 
   std::size_t running() const { return children_.size(); }
+  // No case with a greater number is begun any more; those that run go on.
+  void begin_none_after(std::int64_t number) { last_ = number; }
 
  private:
   void start(std::int64_t number);
 
   std::size_t processes_;
   Work work_;
+  std::int64_t last_ = std::numeric_limits<std::int64_t>::max();
   std::map<std::int64_t, ChildProcess> children_;
 };
 

@@ -18,6 +18,7 @@
 #include "lua/study/gathering_check.h"
 #include "plan/kmz_archive.h"
 #include "study/case_plan.h"
+#include "study/stop_rule.h"
 
 namespace lsos {
 
@@ -182,6 +183,7 @@ StudyFiles read_study(const std::string& file) {
   files.parameters = parameters_of(files.study, context, faults);
   if (!faults.has_errors()) files.cases = count_cases(files, faults);
   check_gatherings(files.base, files.study, faults);
+  check_stop_rule(files.study, faults);
   note_use(files.base, files);
   check_extremes(files, faults);
   faults.throw_if_errors();

@@ -158,10 +158,17 @@ void check_study_folder(const StudyFiles& files, const std::string& folder) {
   refuse_changes(record, parts_of(files), folder);
 }
 
+void note_last_case(const std::string& folder, std::int64_t number) {
+  Json record = record_in(folder);
+  if (record.is_null() || record.value("last_case", std::int64_t{0}) == number) return;
+  record["last_case"] = number;
+  write_record(folder, record);
+}
+
 std::int64_t cases_of_folder(const std::string& folder) {
   const Json record = record_in(folder);
   if (record.is_null()) throw InputError({folder}, "holds no study; 'lsos-host sweep' runs one");
-  return record["cases"].get<std::int64_t>();
+  return record.value("last_case", record["cases"].get<std::int64_t>());
 }
 
 }  // namespace lsos

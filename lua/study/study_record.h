@@ -18,6 +18,9 @@ void open_study_folder(const StudyFiles& files, const std::string& folder);
 // The same for a folder that must be there.
 void check_study_folder(const StudyFiles& files, const std::string& folder);
 
+// Writes that the study knew enough after so many cases.
+void note_last_case(const std::string& folder, std::int64_t number);
+
 // The number of cases that the folder is to have. Throws InputError where it is no study's.
 std::int64_t cases_of_folder(const std::string& folder);
 

@@ -16,9 +16,10 @@
 #include "lua/app/run_to_end.h"
 #include "lua/study/case_run.h"
 #include "lua/study/dry_run.h"
-#include "lua/study/gather_request.h"
 #include "lua/study/pool.h"
+#include "lua/study/stop_early.h"
 #include "lua/study/study_files.h"
+#include "lua/study/study_products.h"
 #include "lua/study/study_record.h"
 #include "lua/study/sweep_state.h"
 #include "product/study/case_record.h"
@@ -30,6 +31,11 @@ namespace {
 namespace fs = std::filesystem;
 
 std::size_t processors() { return std::max(1u, std::thread::hardware_concurrency()); }
+
+// What is made of all cases has all processors.
+int product_threads(const SweepOptions& options) {
+  return options.threads > 0 ? options.threads : static_cast<int>(processors());
+}
 
 void tell_warnings(const StudyFiles& files) {
   for (const Fault& fault : files.base.faults.sorted()) print_message("{}\n", to_string(fault));
@@ -145,7 +151,13 @@ int sweep(const SweepOptions& options) {
   const std::vector<std::int64_t> wanted = listed_cases(options.cases, files.cases);
   if (options.is_dry) return dry_run(files, wanted, jobs, options);
   open_study_folder(files, folder);
-  const std::vector<std::int64_t> numbers = open_cases(wanted, options, folder);
+  StopWatch enough(files, folder);
+  const auto last_case = [&] { return enough.last_case().value_or(files.cases); };
+  // Those that the study needs, unless --cases names some.
+  const auto needed = [&] {
+    return options.cases.empty() ? listed_cases("", last_case()) : wanted;
+  };
+  const std::vector<std::int64_t> numbers = open_cases(needed(), options, folder);
   const int threads =
       options.threads > 0 ? options.threads : std::max(1, static_cast<int>(processors() / jobs));
   SweepNews news(folder, sweep_state(folder, files.cases), jobs, options.is_quiet);
@@ -154,18 +166,24 @@ int sweep(const SweepOptions& options) {
     return static_cast<int>(run_case(files, number, folder, threads));
   });
   const int signal = pool.run(
-      numbers, [&](std::int64_t number, const auto& ending) { news.end(number, ending); },
+      numbers,
+      [&](std::int64_t number, const auto& ending) {
+        news.end(number, ending);
+        if (options.cases.empty()) pool.begin_none_after(last_case());
+      },
       [&] { news.turn(pool.running()); });
   news.finish();
   if (signal != 0) {
     print_message("stopped: the same command goes on\n");
     return 128 + signal;
   }
-  if (options.verb != "run") gather(gather_request(files, folder));
-  const SweepState state = sweep_state(folder, files.cases);
+  if (options.verb != "run") write_study(files, folder, product_threads(options));
+  if (enough.last_case()) note_last_case(folder, last_case());
+  const SweepState state = sweep_state(folder, last_case());
   print_result("{}", options.is_json ? to_json(state) : to_text(state) + "\n");
+  if (!options.is_json && enough.last_case()) print_result("{}\n", enough.text());
   if (!options.is_json) print_result("results in {}\n", folder);
-  return are_done(wanted, folder) ? 0 : 1;
+  return are_done(needed(), folder) ? 0 : 1;
 }
 
 int sweep_status(const SweepOptions& options) {
@@ -179,12 +197,13 @@ int sweep_gather(const SweepOptions& options) {
   const StudyFiles files = read_study(options.study);
   const std::string folder = study_folder(options);
   check_study_folder(files, folder);
-  const Gathered gathered = gather(gather_request(files, folder));
+  const Gathered gathered = write_study(files, folder, product_threads(options));
   if (options.is_json) {
     print_result("{}", to_json(sweep_state(folder, files.cases)));
     return 0;
   }
-  print_result("{} of {} cases in {}/{}\n", gathered.cases, files.cases, folder, study_table);
+  print_result("{} of {} cases in {}/{}, {} and {}\n", gathered.cases, files.cases, folder,
+               study_table, study_page_file, study_overlay_file);
   return 0;
 }
 

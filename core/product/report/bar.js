@@ -55,7 +55,7 @@ function showChips() {
     cursorChanged() {
       for (const {rover, now} of this.list) {
         const event = rover.events.findLast(e => e.start_s !== null && e.start_s <= view.cursor && (e.end_s === null || e.end_s >= view.cursor));
-        now.textContent = event ? `${event.label}` : 'no event';
+        now.textContent = event ? `${event.label}` : page.study ? rover.type : 'no event';
       }
     },
   };

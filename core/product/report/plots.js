@@ -102,8 +102,9 @@ function drawEvents(pen, top, width, rows) {
   });
 }
 
-// Whose events have bars beneath each plot; several runs have a plot of their events instead.
-const barRovers = page.runs ? [] : rovers;
+// Whose events have bars beneath each plot; several runs, and the cases of a study, have a plot of
+// their events instead.
+const barRovers = page.runs || page.study ? [] : rovers;
 const barsHeight = barRovers.length * (barHeight + 1);
 
 // Merges lines {t, v}, which need not share their times, into rows for dygraphs: null where a line
@@ -171,7 +172,11 @@ class Plot {
     this.chosen.style.width = `${b - a}px`;
   }
   create() {
-    this.graph = new Dygraph(this.graphPlace, merged(this.lines, this.scale), {
+    this.graph = new Dygraph(this.graphPlace, this.rows(), this.options());
+  }
+  rows() { return merged(this.lines, this.scale); }
+  options() {
+    return {
       labels: ['time', ...this.lines.map(line => line.name)],
       colors: this.lines.map(line => line.colour),
       series: Object.fromEntries(this.lines.map(line => [line.name, line.isPoints
@@ -187,7 +192,7 @@ class Plot {
         x: {drawAxis: false, drawGrid: true, ticker: (a, b, pixels) => timeTicks(a, b, pixels)},
         y: {axisLabelWidth: gutter - 4, pixelsPerLabel: 24, ticker: valueTicks},
       },
-    });
+    };
   }
   drawLevels(pen, area, graph) {
     for (const level of this.levels || []) {
