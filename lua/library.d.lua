@@ -629,6 +629,7 @@
 ---@field gather? table[] What is gathered of each case besides the numbers of its summary.
 ---@field interval_s? number Between two times of the bands (default: about 200 of them in the plan's time).
 ---@field keep? string Whose logs are kept: 'none' (default), 'failed' (of missions that did not complete), 'all'.
+---@field stop_when? any When enough cases have run; with 'random' and 'sobol' sampling.
 
 ---@class lsos.vary.keys
 ---@field of string What varies, by its address: 'SEV1/20.Speed' or 'Leg 2.Speed' a field of an event, 'MissionInfo.StartTime', 'Rover SEV1.InitialCharge', 'Rover SEV1.battery.capacity_j' a number of the rover's script, 'Soil.cohesion_pa' of the ground's soil, 'SEV1/20.Place' or 'Rover SEV1.Place' where it is drawn.
@@ -649,6 +650,12 @@
 ---@field rover? string Whose quantity, over all of the mission.
 ---@field take? string The rover's 'least' or 'greatest' value.
 ---@field share_when? string A condition, as in a plan: the share of the rover's time during which it holds.
+
+---@class lsos.stop_when.keys
+---@field of string What is to be known: the name of something gathered, or 'completed', the share of missions that complete.
+---@field quantile? number Of what is gathered the value that this share of cases stays below: 0.05.
+---@field within number How well: its 95 % interval reaches no farther than this to either side on average, in the unit of its column.
+---@field after? integer Not before so many cases (default 30).
 
 ---@class lsos
 ---@field fail fun(format: string, ...: any): lsos.answer Answer: the event has failed; the reason as string.format makes it.
@@ -715,6 +722,7 @@
 ---@field study fun(keys: lsos.study.keys): lsos.made What a study's file returns: many runs of a plan.
 ---@field vary fun(keys: lsos.vary.keys): lsos.made One thing that varies.
 ---@field gather fun(keys: lsos.gather.keys): lsos.made What is gathered of each case.
+---@field stop_when fun(keys: lsos.stop_when.keys): lsos.made When a study has run enough cases.
 local lsos = {}
 
 return lsos
