@@ -129,7 +129,8 @@ TEST(LogKill, says_that_the_disk_is_full_and_keeps_the_last_commit) {
 
   std::ifstream answer(message_file);
   const std::string message(std::istreambuf_iterator<char>(answer), {});
-  EXPECT_THAT(message, ::testing::ContainsRegex("log.gpkg: writing: (no space is left|.*a limit of file sizes)"));
+  EXPECT_THAT(message, ::testing::ContainsRegex(
+                           "log.gpkg: writing: (no space is left|.*a limit of file sizes)"));
   EXPECT_EQ(LogReader(file).samples().size(), 1000u);
 }
 
