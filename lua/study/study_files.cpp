@@ -102,8 +102,13 @@ std::int64_t count_cases(const StudyFiles& files, Faults& faults) {
 // About 200 times in the time that the plan says, so that bands look smooth; a round number.
 double interval_of(const StudyFiles& files) {
   if (files.study.interval_s > 0) return files.study.interval_s;
-  constexpr double wanted = 200;
-  const double least_s = seconds(files.base.plan.mission.max_duration) / wanted;
+  constexpr double wanted = 200, day_s = 86400, open_ended_s = 366 * day_s, of_open_ended_s = 300;
+  const MissionInfo& mission = files.base.plan.mission;
+  double all_s = seconds(mission.max_duration);
+  // A MaxDuration that the plan does not say leaves a day, or a year where conditions end events.
+  if (!mission.has_max_duration && all_s > day_s && all_s < open_ended_s) all_s -= day_s;
+  const bool is_open = !mission.has_max_duration && all_s >= open_ended_s;
+  const double least_s = is_open ? of_open_ended_s : all_s / wanted;
   for (const double round_s : {1.0, 2.0, 5.0, 10.0, 20.0, 30.0, 60.0, 120.0, 300.0, 600.0, 900.0,
                                1800.0, 3600.0, 7200.0, 10800.0, 21600.0, 43200.0}) {
     if (round_s >= least_s) return round_s;
