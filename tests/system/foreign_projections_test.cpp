@@ -152,6 +152,15 @@ std::string service_of(const std::string& server, const std::string& kind = "TMS
       kind, server);
 }
 
+void expect_refused(const TempFolder& folder, const std::string& description) {
+  folder.write("service.xml", description);
+  const Outcome outcome =
+      run({"check", folder.write("plan.kml", plan_on("service.xml")), "--allow-network"});
+  EXPECT_EQ(outcome.exit_code, 2) << description;
+  EXPECT_THAT(outcome.out + outcome.err, HasSubstr("names a service that is not opened"))
+      << description;
+}
+
 TEST(ForeignFile, is_no_server_of_tiles) {
   const TempFolder folder, elsewhere;
   const std::string tile = elsewhere.write("tile", "no tile");
@@ -160,12 +169,7 @@ TEST(ForeignFile, is_no_server_of_tiles) {
        {service_of("file://" + tile), service_of("f&#105;le://" + tile),
         service_of("<![CDATA[ file://" + tile + "]]>"), service_of(tile),
         service_of("FILE://" + tile), service_of("file://" + tile, "TiledWMS")}) {
-    folder.write("service.xml", description);
-    const Outcome outcome =
-        run({"check", folder.write("plan.kml", plan_on("service.xml")), "--allow-network"});
-    EXPECT_EQ(outcome.exit_code, 2) << description;
-    EXPECT_THAT(outcome.out + outcome.err, HasSubstr("names a service that is not opened"))
-        << description;
+    expect_refused(folder, description);
     EXPECT_FALSE(watched.was_opened()) << description;
   }
 }
@@ -187,12 +191,7 @@ TEST(ForeignFile, is_no_server_of_tiles_in_an_attribute) {
       description.replace(end, 12, "</x>");
     }
     description.replace(description.find(element), element.size(), service);
-    folder.write("service.xml", description);
-    const Outcome outcome =
-        run({"check", folder.write("plan.kml", plan_on("service.xml")), "--allow-network"});
-    EXPECT_EQ(outcome.exit_code, 2) << description;
-    EXPECT_THAT(outcome.out + outcome.err, HasSubstr("names a service that is not opened"))
-        << description;
+    expect_refused(folder, description);
     EXPECT_FALSE(watched.was_opened()) << description;
   }
 }

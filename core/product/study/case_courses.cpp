@@ -117,9 +117,8 @@ void add_places(const CaseRecord* record, const StudyResults& results, const Sit
 
 }  // namespace
 
-CaseCourses read_courses(const std::string& folder, const std::vector<std::int64_t>& numbers,
-                         const StudyResults& results, const SiteFrame& site,
-                         const CourseLimits& limits) {
+CaseCourses read_courses(const std::string& folder, const StudyResults& results,
+                         const SiteFrame& site, const CourseLimits& limits) {
   const std::vector<std::string> ids = rovers_of(results);
   constexpr std::size_t quantities = 4;
   std::vector<CourseReader> readers;
@@ -128,6 +127,7 @@ CaseCourses read_courses(const std::string& folder, const std::vector<std::int64
   }
   CaseCourses courses;
   courses.events.resize(results.arrivals.size());
+  const std::vector<std::int64_t> numbers = results.case_numbers();
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const std::string of_case = case_folder(folder, numbers[i]);
     const std::string file = of_case + "/" + series_file;

@@ -42,10 +42,9 @@ struct CourseLimits {
   std::size_t spreads = 200;       // times
 };
 
-// `numbers`: of the cases, as in layer `cases`; courses are of the first of them. Throws InputError
-// where a file is damaged; a case that has none has no course.
-CaseCourses read_courses(const std::string& folder, const std::vector<std::int64_t>& numbers,
-                         const StudyResults& results, const SiteFrame& site,
-                         const CourseLimits& limits = {});
+// Courses are of the first cases in layer `cases`. Throws InputError where a file is damaged; a
+// case that has none has no course.
+CaseCourses read_courses(const std::string& folder, const StudyResults& results,
+                         const SiteFrame& site, const CourseLimits& limits = {});
 
 }  // namespace lsos

@@ -247,13 +247,9 @@ void add_styles(KmlDocument& document) {
 std::string study_overlay(const StudyPageRequest& request) {
   const StudyResults results = read_study_results(request.folder);
   const SiteFrame site = study_site(request);
-  std::vector<std::int64_t> numbers;
-  for (const double number : results.numbers(results.column("case"))) {
-    numbers.push_back(std::llround(number));
-  }
   CourseLimits limits;
   limits.cases = 0;
-  const CaseCourses courses = read_courses(request.folder, numbers, results, site, limits);
+  const CaseCourses courses = read_courses(request.folder, results, site, limits);
   const StudyMarks marks{request, results, courses, site};
   KmlDocument document;
   document.name = fmt::format("{}, a study", request.name);

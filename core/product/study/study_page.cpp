@@ -165,13 +165,9 @@ SiteFrame study_site(const StudyPageRequest& request) {
 Json study_document(const StudyPageRequest& request) {
   const StudyResults results = read_study_results(request.folder);
   const SiteFrame site = study_site(request);
-  std::vector<std::int64_t> numbers;
-  for (const double number : results.numbers(results.column("case"))) {
-    numbers.push_back(std::llround(number));
-  }
   CourseLimits limits;
   limits.cases = study_page_cases_max;
-  const CaseCourses courses = read_courses(request.folder, numbers, results, site, limits);
+  const CaseCourses courses = read_courses(request.folder, results, site, limits);
   const ReportData data = data_of(request, results, site);
   ReportExtras extras;
   extras.left_out = request.left_out;
@@ -180,7 +176,7 @@ Json study_document(const StudyPageRequest& request) {
     extras.map = report_map(*request.ground, data, shadow_at, request.threads, bounds_of(courses));
   }
   Json document = report_document(data, request.plan, site, "", extras);
-  document["study"] = study_json(request, results, courses, numbers, site);
+  document["study"] = study_json(request, results, courses, results.case_numbers(), site);
   return document;
 }
 

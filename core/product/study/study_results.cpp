@@ -141,6 +141,12 @@ std::size_t StudyResults::column(const std::string& name) const {
   return static_cast<std::size_t>(found - columns.begin());
 }
 
+std::vector<std::int64_t> StudyResults::case_numbers() const {
+  std::vector<std::int64_t> all;
+  for (const double number : numbers(column("case"))) all.push_back(std::llround(number));
+  return all;
+}
+
 std::vector<double> StudyResults::numbers(std::size_t column) const {
   std::vector<double> numbers;
   for (const auto& row : cases) numbers.push_back(number_of(row[column]));

@@ -51,6 +51,8 @@ struct StudyResults {
   std::size_t column(const std::string& name) const;
   // Texts are NaN, as is what a case has not.
   std::vector<double> numbers(std::size_t column) const;
+  // The numbers of the cases, row by row.
+  std::vector<std::int64_t> case_numbers() const;
   // "" where a case has none, or a number.
   std::vector<std::string> texts(std::size_t column) const;
   const StudyBand* band(const std::string& rover_id, const std::string& quantity) const;

@@ -25,7 +25,7 @@ inline double normal(RandomStream& random) {
 
 // Two rovers near a place of the Moon, without terrain. Speeds are uniform in 1..2 m/s; a rover
 // drives straight east for 600 s, from a place that is normally distributed: 20 m east, 5 m north.
-// Of ten cases the last fails at 300 s.
+// Every tenth case fails at 300 s.
 class StudyFolder {
  public:
   explicit StudyFolder(std::int64_t cases, int events = 2) : cases_(cases), events_(events) {
