@@ -115,6 +115,8 @@ const std::vector<FieldDeclaration>& mission_fields() {
       field("CaseOf", "case_of", FieldKind::text,
             "a plan, relative to this one, of which this is a case (see sweep): scripts and "
             "rasters are found beside that plan"),
+      field("CaseOfSha256", "case_of_sha256", FieldKind::text,
+            "SHA-256 of that plan's file: whoever wrote this case had it"),
   };
   return fields;
 }

@@ -119,11 +119,18 @@ MissionInfo read_mission(const std::vector<PlanPlacemark>& missions, const ReadC
   }
   if (const auto* home = find_value<std::string>(values, "case_of")) {
     mission.case_of = *home;
+    const std::string folder = fs::path(context.source_file).parent_path().string();
+    const std::string named = resolved_path(folder, *home);
     std::error_code unreadable;
-    if (!fs::is_regular_file(context.plan_file, unreadable)) {
+    if (!fs::is_regular_file(named, unreadable)) {
       fields.error(case_of_field, fmt::format("there is no plan {}, beside which the scripts and "
                                               "rasters of this one lie",
-                                              context.plan_file));
+                                              named));
+    } else if (context.plan_file != named) {
+      fields.error(case_of_field,
+                   fmt::format("{} is not the file of which this is a case, by its CaseOfSha256; "
+                               "lsos-host sweep makes the cases of a changed plan",
+                               named));
     }
   }
   if (const auto* seed = find_value<std::int64_t>(values, "seed")) {

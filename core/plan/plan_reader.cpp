@@ -4,7 +4,9 @@
 #include <cctype>
 #include <filesystem>
 
+#include "base/files.h"
 #include "base/resolved_path.h"
+#include "base/sha256.h"
 #include "plan/classify.h"
 #include "plan/event_reader.h"
 #include "plan/far_places.h"
@@ -131,12 +133,14 @@ const PlanRover* rover_of(const Plan& plan, const std::string& rover_id) {
 }
 
 // CaseOf is looked for before scripts are known, and so before Placemarks are classified: no other
-// kind of Placemark has a field of that name.
+// kind of Placemark has a field of that name. What lies beside a plan of the user's is not for any
+// plan that names it, but for one that was made of it.
 std::string home_of(const KmlSource& source, const std::string& file) {
-  std::string text;
+  std::string text, digest;
   const auto look = [&](const std::vector<SourceField>& fields) {
     for (const SourceField& field : fields) {
       if (field.name == case_of_field && text.empty()) text = field.text;
+      if (field.name == case_digest_field && digest.empty()) digest = field.text;
     }
   };
   for (const SourcePlacemark& placemark : source.placemarks) {
@@ -144,7 +148,9 @@ std::string home_of(const KmlSource& source, const std::string& file) {
     look(placemark.plain_data);
   }
   if (text.empty()) return file;
-  return resolved_path(std::filesystem::path(file).parent_path().string(), text);
+  const std::string home = resolved_path(std::filesystem::path(file).parent_path().string(), text);
+  const std::optional<std::string> bytes = read_file(home);
+  return bytes && sha256_hex(*bytes) == digest ? home : file;
 }
 
 Plan read_plan(const std::string& file, const KmlSource& source, const Declarations& declarations,

@@ -66,11 +66,14 @@ std::string changed_variant(const std::string& variant, const std::string& key,
 }
 
 std::string case_plan(const std::string& kml, const Plan& plan, const Declarations& declarations,
-                      const std::vector<Draw>& draws, const std::string& home) {
+                      const std::vector<Draw>& draws, const CaseOrigin& origin) {
   PlanDocument document(kml, plan, declarations);
   // The soil is changed after it is chosen, and the place of a thing moved once.
   for (const Draw& drawn : draws) put(document, drawn);
-  if (!home.empty()) document.set_field(document.mission(), "CaseOf", home);
+  if (!origin.plan.empty()) {
+    document.set_field(document.mission(), "CaseOf", origin.plan);
+    document.set_field(document.mission(), "CaseOfSha256", origin.sha256);
+  }
   return document.text();
 }
 

@@ -205,8 +205,10 @@ PlanSource plan_of_case(const StudyFiles& files, const std::vector<Draw>& draws,
                         const std::string& folder) {
   const fs::path home = fs::weakly_canonical(fs::absolute(files.base.plan.home)),
                  from = fs::weakly_canonical(fs::absolute(folder));
-  const std::string text = case_plan(files.kml, files.base.plan, files.base.catalog->declarations(),
-                                     draws, home.lexically_relative(from).string());
+  const CaseOrigin origin{home.lexically_relative(from).string(),
+                          sha256_hex(read_file(home.string()).value_or(""))};
+  const std::string text =
+      case_plan(files.kml, files.base.plan, files.base.catalog->declarations(), draws, origin);
   const std::string file = folder + "/plan.kml";
   return {file, parse_kml(text, file), "", text, true};
 }

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "base/sha256.h"
 #include "plan/kml_reader.h"
 #include "unit/plan/plan_fixture.h"
 
@@ -29,12 +30,15 @@ class CaseOf : public ::testing::Test {
     return read_plan(file, parse_kml(text, file), declarations(), faults_);
   }
 
+  const std::string digest_ = sha256_hex("a plan");
   fs::path folder_ = fs::path(::testing::TempDir()) / "lsos_case_of";
   Faults faults_;
 };
 
 TEST_F(CaseOf, names_the_plan_beside_which_rasters_lie) {
-  const Plan plan = read({{"CaseOf", "../../../base.kml"}, {"TerrainBeyond", "ground.tif"}});
+  const Plan plan = read({{"CaseOf", "../../../base.kml"},
+                          {"CaseOfSha256", digest_},
+                          {"TerrainBeyond", "ground.tif"}});
   EXPECT_FALSE(faults_.has_errors());
   EXPECT_TRUE(fs::equivalent(plan.home, folder_ / "base.kml"));
   EXPECT_TRUE(plan.mission.terrain_beyond.is_raster);
@@ -42,7 +46,8 @@ TEST_F(CaseOf, names_the_plan_beside_which_rasters_lie) {
 }
 
 TEST_F(CaseOf, is_no_part_of_what_the_plan_says) {
-  const std::string hash = read({{"CaseOf", "../../../base.kml"}}).hash();
+  const std::string hash =
+      read({{"CaseOf", "../../../base.kml"}, {"CaseOfSha256", digest_}}).hash();
   EXPECT_EQ(hash, read({}).hash());
   EXPECT_NE(hash, read({{"Soil", "Sand"}}).hash());
   EXPECT_NE(read({{"Soil", "Sand"}}).hash(), read({{"SoilVariant", "Sand"}}).hash());
@@ -53,6 +58,16 @@ TEST_F(CaseOf, must_name_a_plan_that_is_there) {
   ASSERT_TRUE(faults_.has_errors());
   EXPECT_THAT(to_string(faults_.sorted().front()),
               HasSubstr("MissionInfo: CaseOf = '../../other.kml': there is no plan "));
+}
+
+TEST_F(CaseOf, must_have_been_made_of_that_plan) {
+  for (const std::string& digest : {std::string(), sha256_hex("another plan")}) {
+    const Plan plan = read({{"CaseOf", "../../../base.kml"}, {"CaseOfSha256", digest}});
+    ASSERT_TRUE(faults_.has_errors());
+    EXPECT_THAT(to_string(faults_.sorted().front()),
+                HasSubstr("base.kml is not the file of which this is a case, by its CaseOfSha256"));
+    EXPECT_EQ(plan.home, plan.file) << "nothing beside the other plan is read";
+  }
 }
 
 TEST_F(CaseOf, is_absent_from_other_plans) {

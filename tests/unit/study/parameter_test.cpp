@@ -116,7 +116,7 @@ TEST(CasePlan, is_the_plan_with_the_values_of_the_case) {
   std::map<std::string, double> shares;
   for (const Parameter& parameter : parameters) shares[parameter.name()] = 0;
   const std::string text =
-      case_plan(plan.text, plan.plan, plan.known, draws(parameters, shares), "");
+      case_plan(plan.text, plan.plan, plan.known, draws(parameters, shares), {});
   const Plan made = plan.read(text);
   EXPECT_EQ(std::get<double>(made.events[0].params.at("speed_mps")), 3);
   EXPECT_EQ(made.rovers[0].variant, "battery.capacity_j = 1 kWh; mass_kg = 5");
@@ -131,7 +131,7 @@ TEST(CasePlan, moves_all_of_a_line) {
   auto parameters = plan.parameters({vary("out.Place", Form::within, {"100 m"})});
   const Draw place =
       draw(parameters.front(), {{"A/10.Place.angle", 0.25}, {"A/10.Place.radius", 1}});
-  const Plan made = plan.read(case_plan(plan.text, plan.plan, plan.known, {place}, ""));
+  const Plan made = plan.read(case_plan(plan.text, plan.plan, plan.known, {place}, {}));
   const Body& moon = *plan.plan.mission.planet;
   for (std::size_t i = 0; i < 2; ++i) {
     const Geodetic &before = plan.plan.events[0].geometry.points[i],
