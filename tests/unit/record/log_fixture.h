@@ -20,10 +20,12 @@ inline Instant test_start() { return *parse_utc("2026-07-01T12:00:00Z").value; }
 class TestFolder {
  public:
   TestFolder() {
+    // A test may have several, one of them in its fixture.
+    static int made = 0;
     const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    path_ =
-        std::filesystem::path(::testing::TempDir()) /
-        ("lsos-" + std::to_string(::getpid()) + "-" + test->test_suite_name() + "-" + test->name());
+    path_ = std::filesystem::path(::testing::TempDir()) /
+            ("lsos-" + std::to_string(::getpid()) + "-" + test->test_suite_name() + "-" +
+             test->name() + "-" + std::to_string(made++));
     std::filesystem::remove_all(path_);
     std::filesystem::create_directories(path_);
   }
