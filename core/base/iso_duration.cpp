@@ -7,6 +7,8 @@
 #include <cmath>
 #include <string>
 
+#include "base/text.h"
+
 namespace lsos {
 
 namespace {
@@ -24,8 +26,6 @@ constexpr std::array duration_parts{
     DurationPart{'M', 60, true},
     DurationPart{'S', 1, true},
 };
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 }  // namespace
 

@@ -17,8 +17,6 @@ namespace lsos {
 namespace {
 
 bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 // "a speed is allowed, such as '2 m/s'"
 std::string allowed(const Unit& unit) {
   const bool is_vowel = std::string_view("aeiou").find(unit.kind.front()) != std::string_view::npos;
@@ -128,12 +126,6 @@ Parsed<double> parse_quantity(std::string_view text, const Unit& unit) {
 }
 
 namespace {
-
-std::string lower_case(std::string_view text) {
-  std::string word(text);
-  for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return word;
-}
 
 std::string boolean_advice(const std::string& word) {
   if (word == "yes" || word == "y" || word == "on") return "; did you mean 'true'?";

@@ -21,8 +21,6 @@ namespace {
 
 constexpr std::size_t text_bytes_max = 64;  // no quantity is longer
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 // With the minus sign, dashes and apostrophes of word processors as plain ones.
 std::string in_ascii(std::string text) {
   for (const char* minus : {"\u2212", "\u2013", "\u2010", "\u2011"}) {

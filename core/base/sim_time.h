@@ -13,6 +13,10 @@ using SimTime = std::chrono::duration<std::int64_t, std::micro>;
 // period.
 inline constexpr SimTime exchange_period{100'000};
 
+// 24 hours.
+inline constexpr SimTime day_length{86'400'000'000};
+inline constexpr double day_length_s = 86400;
+
 inline double seconds(SimTime time) { return static_cast<double>(time.count()) / 1e6; }
 
 // Nearest microsecond. `time_s` must be within +-9e12 s.

@@ -27,7 +27,7 @@ constexpr mode_t file_mode = 0666;  // less the user's umask
 constexpr std::array wrong_places{EACCES, EPERM,  EROFS,        ENOENT, ENOTDIR,
                                   EISDIR, EEXIST, ENAMETOOLONG, ELOOP};
 
-const char* kind_of(mode_t mode) {
+const char* mode_name(mode_t mode) {
   if (S_ISDIR(mode)) return "is a folder";
   if (S_ISFIFO(mode)) return "is a named pipe";
   if (S_ISSOCK(mode)) return "is a socket";
@@ -40,7 +40,7 @@ void refuse_other_than_file(int folder, const std::string& name, const std::stri
   if (::fstatat(folder, name.c_str(), &there, 0) != 0 || S_ISREG(there.st_mode)) return;
   throw InputError({}, fmt::format("{}: {}, and no file that could be replaced; another name is "
                                    "wanted",
-                                   file, kind_of(there.st_mode)));
+                                   file, mode_name(there.st_mode)));
 }
 
 // Whether an open folder is one of the machine's own, whose links to files are no files:

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "base/error.h"
+#include "base/sim_time.h"
 #include "edit/coordinates.h"
 #include "edit/copied_events.h"
 #include "edit/counted_quantities.h"
@@ -20,7 +21,6 @@ namespace lsos {
 
 namespace {
 
-constexpr SimTime day{86'400'000'000};
 constexpr double same_place_m = 1, home_m = 50;
 
 // A day's different places, and which of them each event goes to.
@@ -189,10 +189,10 @@ Repeated repeat(PlanDocument& document, const Repetition& repetition, const Even
     std::set<std::string> begun;  // rovers
     for (std::size_t i = 0; i < copies.size(); ++i) {
       const PlanEvent& event = *copies[i].event;
-      shift_times(document, copied.marks[i], time * length * day, ShiftedKind::all);
+      shift_times(document, copied.marks[i], time * length * day_length, ShiftedKind::all);
       if (event.is_enabled && !event.at && begun.insert(event.rover_id).second) {
         begin_not_before(document, copied.marks[i],
-                         repetition.begins.at(reference_to(event)) + time * length * day);
+                         repetition.begins.at(reference_to(event)) + time * length * day_length);
       }
       if (has_places) go_to(document, copied.marks[i], event, visits, places);
     }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "base/sim_time.h"
 #include "base/units.h"
 #include "edit/coordinates.h"
 #include "edit/counted_quantities.h"
@@ -20,8 +21,6 @@
 namespace lsos {
 
 namespace {
-
-constexpr SimTime day{86'400'000'000};
 
 class Splitter {
  public:
@@ -48,7 +47,7 @@ class Splitter {
         charge(rover);
       }
     }
-    const SimTime later = (days_.first_day - 1) * day;
+    const SimTime later = (days_.first_day - 1) * day_length;
     const PlanMark& mission = document_.mission();
     document_.set_field(mission, "StartTime",
                         shifted_utc(document_.field(mission, "StartTime"), later));

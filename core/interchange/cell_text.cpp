@@ -16,12 +16,6 @@ namespace lsos {
 
 namespace {
 
-std::string lower(std::string text) {
-  std::ranges::transform(text, text.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
 bool is_number(FieldKind kind) {
   return kind == FieldKind::number || kind == FieldKind::integer || kind == FieldKind::duration ||
          kind == FieldKind::moment;
@@ -71,7 +65,7 @@ std::string boolean_text(const std::string& text) {
   // TRUE and FALSE of a spreadsheet come as 1 and 0.
   constexpr std::array<std::string_view, 5> yes{"yes", "y", "x", "true", "1"};
   constexpr std::array<std::string_view, 5> no{"no", "n", "-", "false", "0"};
-  const std::string word = lower(text);
+  const std::string word = lower_case(text);
   if (std::ranges::find(yes, word) != yes.end()) return "true";
   if (std::ranges::find(no, word) != no.end()) return "false";
   return text;

@@ -253,7 +253,7 @@ Columns::Columns(const Table& table, const Declarations& declarations, Faults& f
     const auto earlier = first.find(found->second);
     if (earlier != first.end() && !table.has_letters) {
       // Maps have columns of their own, "label" beside "name": the very name of the field counts.
-      if (header == found->second) columns_[found->second] = Column{i, ""};
+      if (header == found->second) columns_[found->second] = SheetColumn{i, ""};
       continue;
     }
     if (earlier != first.end()) {
@@ -264,17 +264,17 @@ Columns::Columns(const Table& table, const Declarations& declarations, Faults& f
       continue;
     }
     first.emplace(found->second, place);
-    columns_.emplace(found->second, Column{i, has_unit ? unit : ""});
+    columns_.emplace(found->second, SheetColumn{i, has_unit ? unit : ""});
   }
 }
 
-const Column* Columns::find(const std::string& name) const {
+const SheetColumn* Columns::find(const std::string& name) const {
   const auto found = columns_.find(name);
   return found == columns_.end() ? nullptr : &found->second;
 }
 
 std::string Columns::text(const TableRow& row, const std::string& name) const {
-  const Column* found = find(name);
+  const SheetColumn* found = find(name);
   return found == nullptr ? "" : cell(row, found->index);
 }
 

@@ -25,7 +25,7 @@ inline constexpr const char* lat = "Lat";
 inline constexpr const char* wkt = "WKT";
 }  // namespace column
 
-struct Column {
+struct SheetColumn {
   std::size_t index = 0;
   std::string unit;  // of the header, as written: "km/h"; "": none
 };
@@ -38,8 +38,8 @@ class Columns {
   Columns(const Table& table, const Declarations& declarations, Faults& faults);
 
   // Finds a column by its canonical name: a field as plans write it, or one of namespace column.
-  const Column* find(const std::string& name) const;
-  const std::map<std::string, Column>& all() const { return columns_; }
+  const SheetColumn* find(const std::string& name) const;
+  const std::map<std::string, SheetColumn>& all() const { return columns_; }
 
   // Whether places are in columns whose CRS nobody knows, which has been reported.
   bool has_unknown_crs() const { return has_unknown_crs_; }
@@ -48,7 +48,7 @@ class Columns {
   std::string text(const TableRow& row, const std::string& name) const;
 
  private:
-  std::map<std::string, Column> columns_;
+  std::map<std::string, SheetColumn> columns_;
   bool has_unknown_crs_ = false;
 };
 

@@ -11,7 +11,7 @@ namespace lsos {
 
 namespace {
 
-std::optional<Instant> mission_start(const KmlSource& things) {
+std::optional<Instant> start_of_mission(const KmlSource& things) {
   for (const SourcePlacemark& thing : things.placemarks) {
     const std::string* text = thing_field(thing, "StartTime");
     if (thing_type(thing) != "MissionInfo" || text == nullptr) continue;
@@ -28,7 +28,7 @@ std::optional<DayClock> day_clock_of(const std::string& text, Instant mission) {
 }  // namespace
 
 std::vector<EventDay> event_days(const KmlSource& things, const Declarations& declarations) {
-  const std::optional<Instant> mission = mission_start(things);
+  const std::optional<Instant> mission = start_of_mission(things);
   if (!mission) return {};
   std::vector<EventDay> days(things.placemarks.size());
   std::map<std::string, int> today;  // by rover id
@@ -53,7 +53,7 @@ std::vector<EventDay> event_days(const KmlSource& things, const Declarations& de
 }
 
 std::string time_on_day(const std::string& text, int day, const KmlSource& things) {
-  const std::optional<Instant> mission = mission_start(things);
+  const std::optional<Instant> mission = start_of_mission(things);
   if (!mission || day == 0) return text;
   const auto found = day_clock_of(text, *mission);
   return found && found->day == day ? found->clock : text;

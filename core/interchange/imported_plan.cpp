@@ -24,8 +24,8 @@ namespace lsos {
 namespace {
 
 // Start of the mission, by the first row that says it.
-MissionStart mission_start(const std::vector<TypedRow>& rows) {
-  MissionStart start;
+SheetStart mission_start(const std::vector<TypedRow>& rows) {
+  SheetStart start;
   for (const TypedRow& row : rows) {
     if (row.type != "MissionInfo" || row.text("StartTime").empty()) continue;
     start.is_said = true;

@@ -24,8 +24,8 @@ void set_cell(Table& table, TableRow& row, const std::string& name, const std::s
   row.cells[column] = text;
 }
 
-Table& table_of(const SourcePlacemark& placemark, const KmlSource& source,
-                std::vector<Table>& tables) {
+Table& table_for(const SourcePlacemark& placemark, const KmlSource& source,
+                 std::vector<Table>& tables) {
   const std::string& file = placemark.file.empty() ? source.file : placemark.file;
   std::string name = placemark.folders.empty() ? "" : placemark.folders.back();
   if (!placemark.data.empty()) name = placemark.data.front().schema;
@@ -48,7 +48,7 @@ Table& table_of(const SourcePlacemark& placemark, const KmlSource& source,
 std::vector<Table> tables_of(const KmlSource& source) {
   std::vector<Table> tables;
   for (const SourcePlacemark& placemark : source.placemarks) {
-    Table& table = table_of(placemark, source, tables);
+    Table& table = table_for(placemark, source, tables);
     TableRow row{placemark.line, {}};
     set_cell(table, row, column::name, placemark.name);
     set_cell(table, row, column::description, placemark.description);

@@ -24,7 +24,7 @@ std::size_t count_of(const XMLElement& element, const char* name) {
 }
 
 // The text behind the number of a format, "km/h" of <number:text> km/h</number:text>.
-std::string unit_of(const XMLElement& format) {
+std::string unit_of_format(const XMLElement& format) {
   bool has_number = false;
   std::string unit;
   for (const XMLElement* part = format.FirstChildElement(); part != nullptr;
@@ -41,7 +41,7 @@ void add_units(const XMLElement& styles, Units& formats, Units& units) {
   for (const XMLElement* each = styles.FirstChildElement(); each != nullptr;
        each = each->NextSiblingElement()) {
     const std::string name = attribute(*each, "style:name");
-    if (local_name(*each) == "number-style") formats[name] = unit_of(*each);
+    if (local_name(*each) == "number-style") formats[name] = unit_of_format(*each);
     if (local_name(*each) == "percentage-style") formats[name] = std::string("%");
     if (local_name(*each) != "style") continue;
     const std::string format = attribute(*each, "style:data-style-name");
@@ -117,7 +117,7 @@ std::optional<std::string> text_beside_comment(const XMLElement& cell) {
   return text;
 }
 
-void add_table(const XMLElement& table, const Units& units, WorkbookFacts& facts) {
+void add_table_facts(const XMLElement& table, const Units& units, WorkbookFacts& facts) {
   const std::string name = attribute(table, "table:name");
   std::vector<MergedCells>& merged = facts.merged[name];
   auto& formats = facts.formats[name];
@@ -174,7 +174,7 @@ void add_ods(const std::string& content_xml, const std::string& styles_xml, Work
   if (sheet == nullptr) return;
   for (const XMLElement* table = sheet->FirstChildElement(); table != nullptr;
        table = table->NextSiblingElement()) {
-    if (local_name(*table) == "table") add_table(*table, units, facts);
+    if (local_name(*table) == "table") add_table_facts(*table, units, facts);
   }
 }
 

@@ -17,17 +17,10 @@ namespace lsos {
 
 namespace {
 
-std::string lower(std::string_view text) {
-  std::string letters(text);
-  std::ranges::transform(letters, letters.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return letters;
-}
-
 // What follows `words` at the beginning of the text, in any case of letters; absent when it begins
 // otherwise. "drive to" begins "Drive to Ridge", not "drive together".
 std::optional<std::string_view> after(std::string_view text, std::string_view words) {
-  if (text.size() < words.size() || lower(text.substr(0, words.size())) != words) return {};
+  if (text.size() < words.size() || lower_case(text.substr(0, words.size())) != words) return {};
   const std::string_view rest = text.substr(words.size());
   if (!rest.empty() && rest[0] != ' ' && rest[0] != '\t') return {};
   return trimmed(rest);
@@ -37,7 +30,7 @@ std::optional<std::string_view> after(std::string_view text, std::string_view wo
 std::pair<std::string_view, std::string_view> split_at_word(std::string_view text,
                                                             std::string_view word) {
   const std::string in_blanks = fmt::format(" {} ", word);
-  const std::size_t at = lower(text).rfind(in_blanks);
+  const std::size_t at = lower_case(text).rfind(in_blanks);
   if (at == std::string::npos) return {text, {}};
   return {trimmed(text.substr(0, at)), trimmed(text.substr(at + in_blanks.size()))};
 }
@@ -149,7 +142,7 @@ std::string what_would_be(std::string_view words) {
   int nearest_distance = 4;
   for (const Verb& verb : verbs) {
     examples.emplace_back(verb.example);
-    const int distance = edit_distance(lower(words.substr(0, verb.words.size())), verb.words);
+    const int distance = edit_distance(lower_case(words.substr(0, verb.words.size())), verb.words);
     const auto a_third = static_cast<int>(verb.words.size()) / 3;
     if (distance >= nearest_distance || distance > a_third) continue;
     nearest = &verb;
@@ -263,7 +256,7 @@ std::string place_text(std::string_view text) {
 
 std::vector<std::string> events_said(std::string_view words, const Declarations& declarations) {
   std::vector<std::string> events;
-  const std::string said = lower(trimmed(words));
+  const std::string said = lower_case(trimmed(words));
   for (const Verb& verb : verbs) {
     const bool is_said = after(verb.words, said) || after(said, verb.words);
     const bool is_known = declarations.events.contains(verb.type);
@@ -294,7 +287,7 @@ std::string add_fields(const std::vector<std::string>& parts, std::size_t first,
     const std::size_t blank = std::min(part.find(' '), part.size());
     const std::string word = part.substr(0, blank), value = unquoted(part.substr(blank));
     const auto found = std::ranges::find_if(
-        names, [&](const std::string& name) { return lower(name) == lower(word); });
+        names, [&](const std::string& name) { return lower_case(name) == lower_case(word); });
     if (found != names.end() && !value.empty()) {
       fields.emplace_back(*found, value);
       continue;

@@ -12,7 +12,7 @@ namespace lsos {
 
 namespace {
 
-const std::string* find(const OutlineFields& fields, const std::string& name) {
+const std::string* field_named(const OutlineFields& fields, const std::string& name) {
   const auto found = std::ranges::find(fields, name, &std::pair<std::string, std::string>::first);
   return found == fields.end() ? nullptr : &found->second;
 }
@@ -68,11 +68,11 @@ const std::vector<Phrase>& phrases() {
 std::optional<std::string> said_by(const Phrase& phrase, const OutlineFields& fields,
                                    std::vector<std::string>& said) {
   std::string text = phrase.words;
-  const std::string* place = find(fields, column::place);
+  const std::string* place = field_named(fields, column::place);
   const bool is_drawn = place != nullptr && place->starts_with("LINESTRING");
   if (text == "drive along" && !is_drawn) return {};
   for (const Phrase::Part& part : phrase.parts) {
-    const std::string* value = find(fields, part.field);
+    const std::string* value = field_named(fields, part.field);
     if (value == nullptr) {
       if (part.is_needed) return {};
       continue;
@@ -106,14 +106,15 @@ std::string field_list(const OutlineFields& fields, const std::vector<std::strin
     if (name == column::name || name == column::description) continue;
     if (std::ranges::find(left_out, name) == left_out.end()) add(name, value);
   }
-  if (const std::string* name = find(fields, column::name)) add("as", *name);
-  if (const std::string* note = find(fields, column::description)) add("note", *note);
+  if (const std::string* name = field_named(fields, column::name)) add("as", *name);
+  if (const std::string* note = field_named(fields, column::description)) add("note", *note);
   return text;
 }
 
 std::string item_of(const OutlineFields& fields, const Declarations& declarations) {
-  const std::string& type = *find(fields, column::type);
-  const std::string *start = find(fields, "StartTime"), *place = find(fields, column::place);
+  const std::string& type = *field_named(fields, column::type);
+  const std::string *start = field_named(fields, "StartTime"),
+                    *place = field_named(fields, column::place);
   const std::string time = start == nullptr ? "" : *start + " ";
   const auto whole = [&](const std::string& words, std::vector<std::string> said) {
     said.insert(said.end(), {column::type, "StartTime"});

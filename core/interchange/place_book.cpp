@@ -19,13 +19,6 @@ namespace {
 constexpr std::size_t most_names = 4;  // of a line; one of more points is better drawn
 constexpr std::size_t name_bytes_max = 40;
 
-std::string small(std::string_view text) {
-  std::string letters(text);
-  std::ranges::transform(letters, letters.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return letters;
-}
-
 // Whether a table and an outline can say the name without quotes.
 bool is_plain(const std::string& name) {
   const auto is_allowed = [](char c) {
@@ -33,8 +26,8 @@ bool is_plain(const std::string& name) {
     return byte >= 0x80 || std::isalnum(byte) != 0 || c == ' ' || c == '-' || c == '_' ||
            c == '.' || c == '\'';
   };
-  const bool has_preposition = small(name).find(" at ") != std::string::npos ||
-                               small(name).find(" from ") != std::string::npos;
+  const bool has_preposition = lower_case(name).find(" at ") != std::string::npos ||
+                               lower_case(name).find(" from ") != std::string::npos;
   return !name.empty() && name.size() <= name_bytes_max && std::ranges::all_of(name, is_allowed) &&
          name.find_first_not_of("0123456789.- ") != std::string::npos && !has_preposition &&
          name.front() != '-';
@@ -43,9 +36,9 @@ bool is_plain(const std::string& name) {
 // "Ridge" of "To Ridge", "Drive to the ridge"; "" where a label does not begin so.
 std::string target_in(const std::string& label) {
   for (const std::string_view words : {"to ", "drive to ", "go to ", "back to ", "return to "}) {
-    if (!small(label).starts_with(words)) continue;
+    if (!lower_case(label).starts_with(words)) continue;
     std::string name(trimmed(std::string_view(label).substr(words.size())));
-    if (small(name).starts_with("the ")) name = name.substr(4);
+    if (lower_case(name).starts_with("the ")) name = name.substr(4);
     if (name.empty()) return "";
     name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
     return name;
@@ -84,9 +77,9 @@ PlaceBook::PlaceBook(const KmlSource& things, const Declarations& declarations,
   // Rovers and assets are places by their ids and names when a table is read.
   for (const SourcePlacemark& thing : things.placemarks) {
     if (thing_type(thing) != "Rover" && thing_type(thing) != "Asset") continue;
-    taken_.insert(small(thing.name));
+    taken_.insert(lower_case(thing.name));
     if (const std::string* id = thing_field(thing, thing_type(thing) + "Id")) {
-      taken_.insert(small(*id));
+      taken_.insert(lower_case(*id));
     }
   }
   for (const SourcePlacemark& thing : things.placemarks) {
@@ -108,11 +101,11 @@ void PlaceBook::add_asset(const SourcePlacemark& asset) {
   const std::string* id = thing_field(asset, "AssetId");
   const std::vector<std::string> points = points_of(asset);
   if (id == nullptr || points.size() != 1 || !is_plain(*id)) return;
-  const bool is_sole =
-      std::ranges::count_if(things_.placemarks, [&](const auto& thing) {
-        const std::string* rover = thing_field(thing, "RoverId");
-        return thing_type(thing) == "Rover" && rover != nullptr && small(*rover) == small(*id);
-      }) == 0;
+  const bool is_sole = std::ranges::count_if(things_.placemarks, [&](const auto& thing) {
+                         const std::string* rover = thing_field(thing, "RoverId");
+                         return thing_type(thing) == "Rover" && rover != nullptr &&
+                                lower_case(*rover) == lower_case(*id);
+                       }) == 0;
   const std::string key = place_key(points.front());
   if (is_sole && !key.empty()) places_.emplace(key, Entry{{*id, "", ""}, true});
 }
@@ -123,7 +116,7 @@ void PlaceBook::add(const std::string& name, const std::string& coordinates) {
   const std::string type = name_meant(name, declarations_);
   if (!type.empty()) return;
   std::string own = name;
-  for (int i = 2; !taken_.insert(small(own)).second; ++i) own = fmt::format("{} {}", name, i);
+  for (int i = 2; !taken_.insert(lower_case(own)).second; ++i) own = fmt::format("{} {}", name, i);
   const std::size_t comma = coordinates.find(',');
   const std::size_t end = std::min(coordinates.find(',', comma + 1), coordinates.size());
   places_.emplace(key, Entry{{own, coordinates.substr(0, comma),

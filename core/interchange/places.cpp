@@ -26,7 +26,7 @@ std::vector<std::string> split(const std::string& text, char separator) {
   return parts;
 }
 
-std::optional<double> number_of(std::string_view text) {
+std::optional<double> finite_number(std::string_view text) {
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return {};
@@ -36,7 +36,7 @@ std::optional<double> number_of(std::string_view text) {
 // "lon,lat" of "30.1, -89.9"; "" when the text is no pair of numbers.
 std::string tuple_of(const std::string& text) {
   const std::vector<std::string> parts = split(text, ',');
-  if (parts.size() != 2 || !number_of(parts[0]) || !number_of(parts[1])) return "";
+  if (parts.size() != 2 || !finite_number(parts[0]) || !finite_number(parts[1])) return "";
   return parts[0] + "," + parts[1];
 }
 
@@ -118,7 +118,7 @@ std::string PlaceNames::how_to_write(const std::string& text) const {
     if (std::string_view("()[],;\t").find(c) != std::string_view::npos) c = ' ';
   }
   const std::vector<std::string> parts = tuples_of(numbers);
-  if (parts.size() != 2 || !number_of(parts[0]) || !number_of(parts[1])) return "";
+  if (parts.size() != 2 || !finite_number(parts[0]) || !finite_number(parts[1])) return "";
   return fmt::format("a place is written as 'lon, lat': '{}, {}'", parts[0], parts[1]);
 }
 
@@ -232,7 +232,7 @@ SourceGeometry own_geometry(const Table& table, const TableRow& row, const Colum
     }
     // Copied from a map: "30.1°".
     if (text.ends_with("\xc2\xb0")) text.resize(text.size() - 2);
-    const std::optional<double> value = text.empty() ? std::nullopt : number_of(text);
+    const std::optional<double> value = text.empty() ? std::nullopt : finite_number(text);
     if (!text.empty() && (!value || *value < least_deg[i] || *value > most_deg[i])) {
       is_right = false;
       faults.error(

@@ -30,7 +30,7 @@ std::string closed(const std::string& ring) {
   return tuples.empty() || tuples.front() == tuples.back() ? ring : ring + " " + tuples.front();
 }
 
-KmlCoordinates coordinates_of(const SourceGeometry& geometry) {
+KmlCoordinates kml_coordinates(const SourceGeometry& geometry) {
   KmlCoordinates found;
   if (geometry.kind != "Polygon") {
     found.kind = geometry.kind == "Point" ? KmlGeometryKind::point : KmlGeometryKind::line;
@@ -57,7 +57,7 @@ SourceData data_of(const SourcePlacemark& placemark) {
   return data;
 }
 
-const std::string* find(const SourceData& data, const std::string& name) {
+const std::string* value_named(const SourceData& data, const std::string& name) {
   const auto found = std::ranges::find(data.fields, name, &SourceField::name);
   return found == data.fields.end() ? nullptr : &found->text;
 }
@@ -91,7 +91,7 @@ class DocumentMaker {
     for (const SourcePlacemark& from : look_.places) {
       KmlPlacemark place;
       place.name = from.name;
-      place.coordinates = coordinates_of(from.geometries.front());
+      place.coordinates = kml_coordinates(from.geometries.front());
       document_.folders.back().placemarks.push_back(std::move(place));
     }
     return write_kml(document_);
@@ -116,10 +116,10 @@ class DocumentMaker {
       }
     };
     // Map tools may rewrite schemaUrl; this field then still states the kind of the Placemark.
-    if (look_.has_folders && find(data, "Type") == nullptr) add("Type", data.schema);
+    if (look_.has_folders && value_named(data, "Type") == nullptr) add("Type", data.schema);
     for (const SourceField& field : data.fields) add(field.name, field.text);
     for (const SourceGeometry& geometry : from.geometries) {
-      if (is_whole(geometry)) placemark.coordinates = coordinates_of(geometry);
+      if (is_whole(geometry)) placemark.coordinates = kml_coordinates(geometry);
     }
     if (look_.has_folders) placemark.style_id = style_of(data);
     return placemark;
@@ -127,7 +127,7 @@ class DocumentMaker {
 
   // The style of a rover's Placemarks; "" for others.
   std::string style_of(const SourceData& data) {
-    const std::string* rover_id = find(data, "RoverId");
+    const std::string* rover_id = value_named(data, "RoverId");
     if (rover_id == nullptr) return "";
     const auto found = std::ranges::find(rovers_, *rover_id);
     const auto index = static_cast<std::size_t>(found - rovers_.begin());

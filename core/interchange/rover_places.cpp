@@ -12,7 +12,7 @@ namespace lsos {
 
 namespace {
 
-std::string text_of(const SourcePlacemark& thing, const char* field) {
+std::string thing_text(const SourcePlacemark& thing, const char* field) {
   const std::string* text = thing_field(thing, field);
   return text == nullptr ? "" : *text;
 }
@@ -32,19 +32,19 @@ std::vector<std::string> places_before(const KmlSource& plan, const Declarations
   std::vector<std::size_t> events;
   for (std::size_t i = 0; i < plan.placemarks.size(); ++i) {
     const SourcePlacemark& thing = plan.placemarks[i];
-    if (thing_type(thing) == "Rover") stands[text_of(thing, "RoverId")] = end_of(thing);
+    if (thing_type(thing) == "Rover") stands[thing_text(thing, "RoverId")] = end_of(thing);
     if (declarations.events.contains(thing_type(thing))) events.push_back(i);
   }
   std::ranges::stable_sort(events, {}, [&](std::size_t i) {
     const SourcePlacemark& thing = plan.placemarks[i];
-    const auto sequence = parse_integer(text_of(thing, "Sequence"));
-    return std::tuple(text_of(thing, "RoverId"), sequence.value.value_or(0));
+    const auto sequence = parse_integer(thing_text(thing, "Sequence"));
+    return std::tuple(thing_text(thing, "RoverId"), sequence.value.value_or(0));
   });
   for (const std::size_t i : events) {
     const SourcePlacemark& thing = plan.placemarks[i];
-    std::string& place = stands[text_of(thing, "RoverId")];
+    std::string& place = stands[thing_text(thing, "RoverId")];
     before[i] = place;
-    const auto enabled = parse_boolean(text_of(thing, "Enabled"));
+    const auto enabled = parse_boolean(thing_text(thing, "Enabled"));
     const bool is_enabled = enabled.value.value_or(true);
     if (is_enabled && declarations.events.at(thing_type(thing)).drives) place = end_of(thing);
   }

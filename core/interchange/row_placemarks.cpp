@@ -35,7 +35,7 @@ bool is_time(const FieldDeclaration& field) {
 class PlacemarkMaker {
  public:
   PlacemarkMaker(const std::vector<TypedRow>& rows, const Declarations& declarations,
-                 const PlaceNames& places, MissionStart start, const std::set<ThingId>& drawn,
+                 const PlaceNames& places, SheetStart start, const std::set<ThingId>& drawn,
                  Notes& notes, Faults& faults)
       : declarations_(declarations),
         places_(places),
@@ -91,7 +91,7 @@ class PlacemarkMaker {
     rover_id_ = above;
     times_.begin_event(*from_, rover_id_);
     // Other times count from the row's own start.
-    const Column* start = from_->columns->find("StartTime");
+    const SheetColumn* start = from_->columns->find("StartTime");
     if (start != nullptr && !text("StartTime").empty()) add_column("StartTime", *start);
   }
 
@@ -112,7 +112,7 @@ class PlacemarkMaker {
 
   // The text of a field as a plan writes it.
   void add_value(const FieldDeclaration& field, const std::string& cell_text,
-                 const Column& column) {
+                 const SheetColumn& column) {
     const bool is_number = field.kind == FieldKind::number || field.kind == FieldKind::duration ||
                            field.kind == FieldKind::moment;
     Parsed<std::string> number{cell_text, {}};
@@ -129,7 +129,8 @@ class PlacemarkMaker {
   }
 
   // Warns of a number in a column of percents that may be meant as a share.
-  void warn_of_share(const FieldDeclaration& field, const std::string& text, const Column& column) {
+  void warn_of_share(const FieldDeclaration& field, const std::string& text,
+                     const SheetColumn& column) {
     const Parsed<double> value = parse_quantity(text, *find_unit("1"));
     const bool is_bare = text.find_first_not_of("0123456789.+-eE") == std::string::npos;
     if (!is_bare || !value || *value.value <= 0 || *value.value > 1) return;
@@ -141,7 +142,8 @@ class PlacemarkMaker {
   }
 
   // Tells once for a column of a sheet what its numbers without a unit are.
-  void note_unit(const FieldDeclaration& field, const std::string& text, const Column& column) {
+  void note_unit(const FieldDeclaration& field, const std::string& text,
+                 const SheetColumn& column) {
     const bool is_bare = text.find_first_not_of("0123456789.+-eE") == std::string::npos;
     const bool is_duration = field.kind != FieldKind::number;
     const bool has_none = !is_duration && (field.unit == nullptr || !field.amount_of.empty());
@@ -159,7 +161,7 @@ class PlacemarkMaker {
     }
   }
 
-  void add_column(const std::string& name, const Column& column) {
+  void add_column(const std::string& name, const SheetColumn& column) {
     const std::string cell_text = text(name);
     if (is_special(name) || cell_text.empty()) return;
     const FieldDeclaration* field = declared_field(from_->type, name, declarations_);
@@ -194,7 +196,8 @@ class PlacemarkMaker {
     });
   }
 
-  void add_time(const FieldDeclaration& field, const std::string& cell_text, const Column& column) {
+  void add_time(const FieldDeclaration& field, const std::string& cell_text,
+                const SheetColumn& column) {
     // A moment may be a duration from the start, which begins with a digit and has no colon.
     const bool may_be_duration = field.kind == FieldKind::moment &&
                                  cell_text.find(':') == std::string::npos &&
@@ -320,7 +323,7 @@ class PlacemarkMaker {
 }  // namespace
 
 RowPlacemarks placemarks_of(const std::vector<TypedRow>& rows, const Declarations& declarations,
-                            const PlaceNames& places, MissionStart start,
+                            const PlaceNames& places, SheetStart start,
                             const std::set<ThingId>& drawn, Notes& notes, Faults& faults) {
   PlacemarkMaker maker(rows, declarations, places, start, drawn, notes, faults);
   RowPlacemarks made;

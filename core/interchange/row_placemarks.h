@@ -23,7 +23,7 @@ struct RowPlacemarks {
 // without columns of places, whatever it is called. Reports faults of cells; notes how texts were
 // understood.
 RowPlacemarks placemarks_of(const std::vector<TypedRow>& rows, const Declarations& declarations,
-                            const PlaceNames& places, MissionStart start,
+                            const PlaceNames& places, SheetStart start,
                             const std::set<ThingId>& drawn, Notes& notes, Faults& faults);
 
 }  // namespace lsos

@@ -16,7 +16,7 @@
 namespace lsos {
 
 // Start of the mission from which days count.
-struct MissionStart {
+struct SheetStart {
   std::optional<Instant> instant;
   bool is_said = false;  // also where it cannot be read, which the plan's reader tells
 };
@@ -24,7 +24,7 @@ struct MissionStart {
 // Reads the times of rows in their order. Faults that only follow from another are not told.
 class RowTimes {
  public:
-  RowTimes(MissionStart mission, Notes& notes, Faults& faults)
+  RowTimes(SheetStart mission, Notes& notes, Faults& faults)
       : mission_(mission), notes_(notes), faults_(faults) {}
 
   // Begins a row that is no event: it has no day.
@@ -61,7 +61,7 @@ class RowTimes {
   void check_order();
   void check_day();
 
-  MissionStart mission_;
+  SheetStart mission_;
   Notes& notes_;
   Faults& faults_;
   std::map<const Table*, std::string> date_above_;

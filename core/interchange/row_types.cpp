@@ -22,12 +22,6 @@ bool looks_like_ours(const TableRow& row, const Columns& columns) {
   return false;
 }
 
-std::string small(std::string text) {
-  std::ranges::transform(text, text.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
 class RowTyper {
  public:
   RowTyper(const Table& table, const Columns& columns, const Declarations& declarations,
@@ -122,13 +116,13 @@ class RowTyper {
   }
 
   static bool is_place_word(const std::string& text) {
-    return small(text) == "place" || small(text) == "places";
+    return lower_case(text) == "place" || lower_case(text) == "places";
   }
 
   // Whether a row of a sheet names the feature, which says nothing of an event itself.
   bool is_wanted(const TableRow& row) const {
     return !looks_like_ours(row, columns_) &&
-           wanted_.contains(small(columns_.text(row, column::name)));
+           wanted_.contains(lower_case(columns_.text(row, column::name)));
   }
 
   void add_place(const TableRow& row) {
@@ -169,7 +163,7 @@ class RowTyper {
 }  // namespace
 
 Place TypedRow::cell_place(const std::string& column) const {
-  const Column* found = columns->find(column);
+  const SheetColumn* found = columns->find(column);
   if (found == nullptr) return {table->file, row->number};
   return place_of_cell(*table, row->number, found->index);
 }
@@ -178,11 +172,12 @@ std::set<std::string> wanted_places(const Table& table, const Columns& columns) 
   std::set<std::string> names;
   for (const TableRow& row : table.rows) {
     if (row.geometry) continue;
-    names.insert(small(columns.text(row, column::name)));
+    names.insert(lower_case(columns.text(row, column::name)));
     const std::string places = columns.text(row, column::place);
     for (std::size_t from = 0; from < places.size();) {
       const std::size_t end = std::min(places.find(';', from), places.size());
-      names.insert(small(std::string(trimmed(std::string_view(places).substr(from, end - from)))));
+      names.insert(
+          lower_case(std::string(trimmed(std::string_view(places).substr(from, end - from)))));
       from = end + 1;
     }
   }

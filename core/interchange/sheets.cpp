@@ -30,10 +30,6 @@ namespace lsos {
 
 namespace {
 
-struct CloseDataset {
-  void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
-};
-
 // Options of GDAL's drivers for as long as it lives, on this thread.
 class SheetOptions {
  public:
@@ -103,7 +99,7 @@ std::string shifted_date(const std::string& text) {
   return date ? *date.value + text.substr(10) : text;
 }
 
-std::optional<double> number_of(const std::string& text) {
+std::optional<double> cell_number(const std::string& text) {
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (text.empty() || error != std::errc() || end != text.data() + text.size()) return {};
@@ -112,7 +108,7 @@ std::optional<double> number_of(const std::string& text) {
 
 // A number as its cell shows it: "26:00:00" of 1.0833 days, "5 km/h".
 std::string as_shown(const std::string& text, const ShownFormat& format) {
-  const std::optional<double> number = number_of(text);
+  const std::optional<double> number = cell_number(text);
   if (!number) return text;
   if (format.is_span && *number >= 0 && *number < 10000) {
     const auto whole_s = static_cast<long long>(std::llround(*number * 86400));
@@ -241,7 +237,7 @@ std::vector<Table> read_workbook(const std::string& bytes, const std::string& fi
   register_drivers();
   allow_file(file);
   const char* const drivers[] = {facts.is_ods ? "ODS" : "XLSX", nullptr};
-  const std::unique_ptr<GDALDataset, CloseDataset> dataset(
+  const Dataset dataset(
       GDALDataset::Open(file.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, drivers));
   if (dataset == nullptr) {
     throw InputError({file, 0},

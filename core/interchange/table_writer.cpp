@@ -22,11 +22,6 @@ namespace lsos {
 
 namespace {
 
-struct CloseDataset {
-  void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
-};
-using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
-
 constexpr std::size_t cell_bytes_max = 32767;  // of XLSX
 
 const char* driver_of(const std::string& ending) {

@@ -16,13 +16,13 @@ namespace lsos {
 namespace {
 
 // Unit of a bare number, as the plan's reader takes it.
-const Unit& unit_of(const FieldDeclaration& field) {
+const Unit& declared_unit(const FieldDeclaration& field) {
   if (field.kind == FieldKind::duration) return *find_unit("s");
   return field.unit == nullptr ? *find_unit("1") : *field.unit;
 }
 
 std::optional<double> value_si(const std::string& text, const FieldDeclaration& field) {
-  const Parsed<double> value = parse_quantity(text, unit_of(field));
+  const Parsed<double> value = parse_quantity(text, declared_unit(field));
   if (!value) return {};
   return field.kind == FieldKind::duration ? rounded_s(*value.value) : *value.value;
 }
@@ -45,7 +45,7 @@ std::string number_in(double value, const Unit& unit) {
 
 // Units that people use beside the field's own.
 std::vector<const Unit*> usual_units(const FieldDeclaration& field) {
-  std::vector<const Unit*> units{&unit_of(field)};
+  std::vector<const Unit*> units{&declared_unit(field)};
   if (field.kind == FieldKind::duration && field.unit != nullptr) units = {field.unit};
   const auto add = [&](const char* symbol) {
     const Unit* unit = find_unit(symbol);
@@ -66,7 +66,7 @@ std::vector<const Unit*> written_units(const std::vector<DeclaredText>& texts) {
   std::map<const Unit*, int> counts;
   for (const auto& [field, text] : texts) {
     const Unit* unit = unit_in(text);
-    if (unit == nullptr || unit->kind != unit_of(*field).kind) continue;
+    if (unit == nullptr || unit->kind != declared_unit(*field).kind) continue;
     if (++counts[unit] == 1) units.push_back(unit);
   }
   std::ranges::stable_sort(units, std::greater<>(), [&](const Unit* unit) { return counts[unit]; });
@@ -90,7 +90,7 @@ std::string text_in_unit(const std::string& text, const FieldDeclaration& field,
   if (!value) return reads_equal(text) ? text : "";
   if (const std::string number = number_in(*value, unit); reads_equal(number)) return number;
   if (reads_equal(text)) return text;
-  const std::string with_own = fmt::format("{} {}", text, unit_of(field).symbol);
+  const std::string with_own = fmt::format("{} {}", text, declared_unit(field).symbol);
   return is_bare(text) && reads_equal(with_own) ? with_own : "";
 }
 
@@ -98,7 +98,7 @@ const Unit* shortest_unit(const std::vector<DeclaredText>& texts) {
   if (texts.empty()) return nullptr;
   for (const auto& [field, text] : texts) {
     const bool is_alike =
-        has_unit(*field) && unit_of(*field).kind == unit_of(*texts.front().first).kind;
+        has_unit(*field) && declared_unit(*field).kind == declared_unit(*texts.front().first).kind;
     if (!is_alike) return nullptr;
   }
   std::vector<const Unit*> units = written_units(texts);

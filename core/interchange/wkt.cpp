@@ -12,7 +12,7 @@ namespace lsos {
 
 namespace {
 
-std::string coordinates_of(const OGRSimpleCurve& curve) {
+std::string curve_text(const OGRSimpleCurve& curve) {
   std::string text;
   for (int i = 0; i < curve.getNumPoints(); ++i) {
     text += fmt::format("{}{},{}", i == 0 ? "" : " ", curve.getX(i), curve.getY(i));
@@ -68,14 +68,14 @@ Parsed<SourceGeometry> parse_wkt(const std::string& text) {
       break;
     case wkbLineString:
       found.kind = "LineString";
-      found.coordinates = coordinates_of(*whole->toLineString());
+      found.coordinates = curve_text(*whole->toLineString());
       break;
     case wkbPolygon: {
       found.kind = "Polygon";
       const OGRPolygon& polygon = *whole->toPolygon();
-      found.coordinates = coordinates_of(*polygon.getExteriorRing());
+      found.coordinates = curve_text(*polygon.getExteriorRing());
       for (int i = 0; i < polygon.getNumInteriorRings(); ++i) {
-        found.holes.push_back({coordinates_of(*polygon.getInteriorRing(i)), 0});
+        found.holes.push_back({curve_text(*polygon.getInteriorRing(i)), 0});
       }
       break;
     }

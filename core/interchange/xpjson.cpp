@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-std::string text_of(const Json& object, const char* key) {
+std::string json_text(const Json& object, const char* key) {
   const auto found = object.find(key);
   if (found == object.end() || found->is_null() || found->is_structured()) return "";
   return found->is_string() ? found->get<std::string>() : found->dump();
@@ -22,8 +22,8 @@ std::string text_of(const Json& object, const char* key) {
 
 // The name of a station or command, else its id.
 std::string name_of(const Json& object) {
-  const std::string name = text_of(object, "name");
-  return name.empty() ? text_of(object, "id") : name;
+  const std::string name = json_text(object, "name");
+  return name.empty() ? json_text(object, "id") : name;
 }
 
 SourceGeometry place_of(const Json& station) {
@@ -31,7 +31,7 @@ SourceGeometry place_of(const Json& station) {
   const auto geometry = station.find("geometry");
   if (geometry == station.end() || !geometry->is_object()) return place;
   const auto at = geometry->find("coordinates");
-  if (text_of(*geometry, "type") != "Point" || at == geometry->end() || !at->is_array() ||
+  if (json_text(*geometry, "type") != "Point" || at == geometry->end() || !at->is_array() ||
       at->size() < 2 || !(*at)[0].is_number() || !(*at)[1].is_number()) {
     return place;
   }
@@ -59,7 +59,7 @@ class Reader {
     }
     for (const Json& element : plan.at("sequence")) {
       ++number_;
-      const std::string type = text_of(element, "type");
+      const std::string type = json_text(element, "type");
       if (type == "Segment") {
         segment_ = element;
         add_commands(element);
@@ -77,7 +77,7 @@ class Reader {
  private:
   void add_station(const Json& station) {
     SourceGeometry place = place_of(station);
-    const std::string name = name_of(station), id = text_of(station, "id");
+    const std::string name = name_of(station), id = json_text(station, "id");
     if (place.kind.empty()) {
       left_out_.push_back(fmt::format("{}: {}: a station without a Point", file_, name));
       return;
@@ -90,10 +90,10 @@ class Reader {
       stations_.rows.push_back({number_, {each}, place});
     }
     if (segment_.is_object()) {
-      routes_.rows.push_back(
-          {number_,
-           {"Route", name, rover_id_, text_of(segment_, "speed"), text_of(segment_, "tolerance")},
-           std::move(place)});
+      routes_.rows.push_back({number_,
+                              {"Route", name, rover_id_, json_text(segment_, "speed"),
+                               json_text(segment_, "tolerance")},
+                              std::move(place)});
     }
     segment_ = nullptr;
   }
@@ -103,7 +103,7 @@ class Reader {
     const auto commands = element.find("sequence");
     if (commands == element.end() || !commands->is_array()) return;
     for (const Json& command : *commands) {
-      const std::string type = text_of(command, "type");
+      const std::string type = json_text(command, "type");
       if (std::ranges::find(events_, type) == events_.end()) {
         left_out_.push_back(fmt::format("{}: {}: there is no event {}", file_, name_of(command),
                                         type.empty() ? "without a type" : type));
@@ -116,7 +116,7 @@ class Reader {
         const auto index = static_cast<std::size_t>(found - routes_.header.begin());
         if (found == routes_.header.end()) routes_.header.push_back(key);
         row.cells.resize(std::max(row.cells.size(), index + 1));
-        row.cells[index] = text_of(command, key.c_str());
+        row.cells[index] = json_text(command, key.c_str());
       }
       routes_.rows.push_back(std::move(row));
     }
@@ -144,11 +144,11 @@ std::vector<Table> read_xpjson(const std::string& bytes, const std::string& file
   const Json plan = Json::parse(bytes, nullptr, false);
   if (plan.is_discarded()) throw InputError({file, 0}, "is no JSON: it is cut short or damaged");
   const auto sequence = plan.find("sequence");
-  if (text_of(plan, "type") != "Plan" || sequence == plan.end() || !sequence->is_array()) {
+  if (json_text(plan, "type") != "Plan" || sequence == plan.end() || !sequence->is_array()) {
     throw InputError(
         {file, 0}, fmt::format("is xPJSON of the type '{}'; one of the type 'Plan' with a sequence "
                                "is wanted",
-                               text_of(plan, "type")));
+                               json_text(plan, "type")));
   }
   return Reader(file, events, left_out).read(plan);
 }

@@ -22,11 +22,6 @@ namespace lsos {
 
 namespace {
 
-struct CloseDataset {
-  void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
-};
-using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
-
 // Whether the layer holds nothing drawn: QGIS stores data of its own in two tables, and GDAL gives
 // the points of the routes and tracks of a GPX file once more.
 bool is_left_out(std::string_view layer) {
@@ -34,7 +29,7 @@ bool is_left_out(std::string_view layer) {
          layer == "track_points";
 }
 
-bool is_name(std::string name) {
+bool is_name_column(std::string name) {
   std::ranges::transform(name, name.begin(),
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return name == "name";
@@ -56,7 +51,7 @@ std::string date_text(const OGRFeature& feature, int field, bool has_time) {
   return fmt::format("{}T{:02}:{:02}:{:06.3f}{}", date, hour, minute, second, offset);
 }
 
-std::string text_of(const OGRFeature& feature, int field) {
+std::string column_text(const OGRFeature& feature, int field) {
   switch (feature.GetFieldDefnRef(field)->GetType()) {
     case OFTDate:
       return date_text(feature, field, false);
@@ -170,8 +165,8 @@ SourcePlacemark placemark_of(const OGRFeature& feature, const std::string& layer
   for (int i = 0; i < feature.GetFieldCount(); ++i) {
     if (!feature.IsFieldSetAndNotNull(i)) continue;
     const std::string name = feature.GetFieldDefnRef(i)->GetNameRef();
-    std::string text = text_of(feature, i);
-    if (is_name(name)) placemark.name = text;
+    std::string text = column_text(feature, i);
+    if (is_name_column(name)) placemark.name = text;
     placemark.plain_data.push_back({name, std::move(text), placemark.line});
   }
   const OGRGeometry* geometry = feature.GetGeometryRef();

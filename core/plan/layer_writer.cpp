@@ -18,11 +18,6 @@ namespace lsos {
 
 namespace {
 
-struct CloseDataset {
-  void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
-};
-using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
-
 OGRwkbGeometryType geometry_type(GeometryKind kind) {
   switch (kind) {
     case GeometryKind::point:

@@ -9,7 +9,7 @@ namespace lsos {
 
 namespace {
 
-std::string text_of(const SourceData& data, const char* name) {
+std::string field_text(const SourceData& data, const char* name) {
   const auto field = std::ranges::find(data.fields, name, &SourceField::name);
   return field == data.fields.end() ? "" : field->text;
 }
@@ -22,8 +22,8 @@ DraftEvent read_event(const PlanPlacemark& ours, const ReadContext& context) {
   event.place = place_of(*ours.placemark, context);
   event.label = ours.placemark->name;
   draft.has_default_label = event.label.empty();
-  event.rover_id = text_of(ours.data, "RoverId");
-  const Parsed<std::int64_t> sequence = parse_integer(text_of(ours.data, "Sequence"));
+  event.rover_id = field_text(ours.data, "RoverId");
+  const Parsed<std::int64_t> sequence = parse_integer(field_text(ours.data, "Sequence"));
   draft.is_sequence_known = static_cast<bool>(sequence);
   event.sequence = sequence.value.value_or(0);
   return draft;
@@ -35,17 +35,17 @@ Unread read_unread(const std::vector<PlanPlacemark>& unread, const ReadContext& 
                    PlanGaps& gaps) {
   Unread read;
   for (const PlanPlacemark& ours : unread) {
-    const auto has = [&](const char* name) { return !text_of(ours.data, name).empty(); };
+    const auto has = [&](const char* name) { return !field_text(ours.data, name).empty(); };
     if (has("RoverType")) {
       read.has_rover = true;
       if (has("RoverId")) {
-        read.rover_ids.push_back(text_of(ours.data, "RoverId"));
+        read.rover_ids.push_back(field_text(ours.data, "RoverId"));
         gaps.unread_ids.insert(read.rover_ids.back());
       } else {
         gaps.rover_ids = true;
       }
     } else if (has("AssetId")) {
-      gaps.unread_ids.insert(text_of(ours.data, "AssetId"));
+      gaps.unread_ids.insert(field_text(ours.data, "AssetId"));
     } else if (has("AssetType")) {
       gaps.asset_ids = true;
     } else if (has("Planet") || has("Terrain")) {

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/error.h"
+#include "base/sim_time.h"
 #include "base/units.h"
 
 namespace lsos {
@@ -14,8 +15,6 @@ namespace lsos {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double day_s = 86400;
-
 // Radii: IAU 2015 (Archinal et al. 2018) for the Moon and for the sphere that Mars maps in
 // IAU_2015:49900 use; WGS84 for Earth. GM: DE440 (Park et al. 2021) for the Moon, Konopliv et al.
 // 2016 for Mars without its moons, WGS84 for Earth.
@@ -32,8 +31,8 @@ constexpr std::array<Body, 3> bodies{{
      .crs = "IAU_2015:30100",
      .north_polar_crs = "IAU_2015:30130",
      .south_polar_crs = "IAU_2015:30135",
-     .rotation_radps = radians(13.17635815) / day_s,
-     .solar_day_s = 29.530589 * day_s,
+     .rotation_radps = radians(13.17635815) / day_length_s,
+     .solar_day_s = 29.530589 * day_length_s,
      .sun_step_deg = 0.05,
      .earth_interval_s = 2400,
      .lowest_ground_m = -9.2e3,
@@ -48,7 +47,7 @@ constexpr std::array<Body, 3> bodies{{
      .crs = "IAU_2015:49900",
      .north_polar_crs = "IAU_2015:49930",
      .south_polar_crs = "IAU_2015:49935",
-     .rotation_radps = radians(350.891982443297) / day_s,
+     .rotation_radps = radians(350.891982443297) / day_length_s,
      .solar_day_s = 88775.244,
      .sun_step_deg = 0.25,
      .earth_interval_s = 123.3,
@@ -67,7 +66,7 @@ constexpr std::array<Body, 3> bodies{{
      .north_polar_crs = "EPSG:3995",
      .south_polar_crs = "EPSG:3031",
      .rotation_radps = 7.2921150e-5,
-     .solar_day_s = day_s,
+     .solar_day_s = day_length_s,
      .sun_step_deg = 0.25,
      .earth_interval_s = 123.3,
      .lowest_ground_m = -11.1e3,

@@ -8,17 +8,17 @@
 #include <cstdint>
 
 #include "base/error.h"
+#include "base/sim_time.h"
 
 namespace lsos {
 
 namespace {
 
-constexpr double day_s = 86400;
 constexpr double tt_minus_tai_s = 32.184;
 
 BarycentricState state_of(const double pv_au[2][3]) {
   return {Vec3(pv_au[0][0], pv_au[0][1], pv_au[0][2]) * ERFA_DAU,
-          Vec3(pv_au[1][0], pv_au[1][1], pv_au[1][2]) * (ERFA_DAU / day_s)};
+          Vec3(pv_au[1][0], pv_au[1][1], pv_au[1][2]) * (ERFA_DAU / day_length_s)};
 }
 
 BarycentricState operator+(const BarycentricState& a, const BarycentricState& b) {
@@ -77,7 +77,7 @@ const BarycentricState& node(CelestialBody body, std::int64_t number) {
 }  // namespace
 
 double tt_days(Instant at) {
-  return (static_cast<double>(at.tai_us) * 1e-6 + tt_minus_tai_s) / day_s - 0.5;
+  return (static_cast<double>(at.tai_us) * 1e-6 + tt_minus_tai_s) / day_length_s - 0.5;
 }
 
 BarycentricState barycentric_state(CelestialBody body, Instant at) {
@@ -86,7 +86,7 @@ BarycentricState barycentric_state(CelestialBody body, Instant at) {
   const BarycentricState& a = node(body, before);
   const BarycentricState& b = node(body, before + 1);
   const double t = nodes - static_cast<double>(before);
-  constexpr double span_s = day_s / nodes_a_day;
+  constexpr double span_s = day_length_s / nodes_a_day;
   const Vec3 from_m = a.v_I_mps * span_s, to_m = b.v_I_mps * span_s, delta_m = b.p_I_m - a.p_I_m;
   // p = a + t (from + t (c2 + t c3))
   const Vec3 c2 = 3 * delta_m - 2 * from_m - to_m, c3 = from_m + to_m - 2 * delta_m;

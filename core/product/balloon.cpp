@@ -24,7 +24,7 @@ std::string duration_text(double duration_s) {
 }
 
 // "2.84 kWh", "2.84 to 3.01 kWh".
-std::string range_text(const std::string& name, const Expected& range) {
+std::string quantity_range_text(const std::string& name, const Expected& range) {
   std::string low = quantity_text(name, range.low, 3);
   const std::string high = quantity_text(name, range.high, 3);
   if (low == high) return low;
@@ -47,7 +47,7 @@ class Table {
   // The range where there is one, else the value.
   void add(const std::string& what, const std::string& name, const std::optional<double>& value,
            const std::optional<Expected>& range) {
-    if (value) add(what, range_text(name, range.value_or(Expected::exactly(*value))));
+    if (value) add(what, quantity_range_text(name, range.value_or(Expected::exactly(*value))));
   }
   void add_share(const std::string& what, double share) {
     if (!std::isnan(share)) html_ += fmt::format("<tr><td>{}<td>{:.3g} %", what, 100 * share);
@@ -60,7 +60,7 @@ class Table {
 
 // "40 %", "20 to 40 %".
 std::string share_text(const std::optional<Expected>& share) {
-  return share ? range_text("_share", *share) : "";
+  return share ? quantity_range_text("_share", *share) : "";
 }
 
 // "2026-07-01 12:00:00 UTC": a balloon needs no fractions of a second.

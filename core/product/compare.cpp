@@ -108,7 +108,7 @@ std::string shown(const std::string& quantity, const std::string& json) {
 
 bool is_number_of(const std::string& json) { return Json::parse(json).is_number(); }
 
-std::string lines(const std::vector<Difference>& differences) {
+std::string difference_lines(const std::vector<Difference>& differences) {
   std::string text, of;
   for (const Difference& difference : differences) {
     if (difference.of != of) text += fmt::format("\n{}\n", difference.of);
@@ -131,7 +131,7 @@ std::string lines(const std::vector<Difference>& differences) {
   return text;
 }
 
-Json json_of(const std::vector<Difference>& differences) {
+Json differences_json(const std::vector<Difference>& differences) {
   Json array = Json::array();
   for (const Difference& difference : differences) {
     array.push_back({{"of", difference.of},
@@ -230,8 +230,8 @@ std::string to_json(const Comparison& found) {
                  {"equal_logs", found.has_equal_logs()},
                  {"log_sha256", {found.logs[0].of_log, found.logs[1].of_log}},
                  {"summary_log_sha256", {found.logs[0].of_summary, found.logs[1].of_summary}},
-                 {"differences", json_of(found.differences)},
-                 {"made_of", json_of(found.made_of)}});
+                 {"differences", differences_json(found.differences)},
+                 {"made_of", differences_json(found.made_of)}});
 }
 
 std::string to_text(const Comparison& found, const std::array<std::string, 2>& names) {
@@ -245,9 +245,9 @@ std::string to_text(const Comparison& found, const std::array<std::string, 2>& n
                         found.has_equal_logs() ? "equal too" : "not equal (--exact)");
   } else if (!found.differences.empty()) {
     text += fmt::format("\n  {:<20} {:>28} {:>28} {:>14}", "", "A", "B", "B - A");
-    text += lines(found.differences);
+    text += difference_lines(found.differences);
   }
-  if (!found.made_of.empty()) text += lines(found.made_of);
+  if (!found.made_of.empty()) text += difference_lines(found.made_of);
   return text;
 }
 

@@ -127,7 +127,7 @@ class Axes {
   Range x_, y_;
 };
 
-Stroke line_of(const ReportRover& rover, double thick_mm = 0.35) {
+Stroke stroke_of(const ReportRover& rover, double thick_mm = 0.35) {
   return {rover.colour, thick_mm, {}};
 }
 
@@ -222,7 +222,7 @@ class Figure {
     for (std::size_t k = 0; k < places.size(); ++k) {
       const ReportRover& rover = data_.rovers[k];
       const double x_mm = places[k].x_mm, y_mm = 4 + places[k].y_mm;
-      pen_.line({{x_mm, y_mm}, {x_mm + 7, y_mm}}, line_of(rover, 0.6));
+      pen_.line({{x_mm, y_mm}, {x_mm + 7, y_mm}}, stroke_of(rover, 0.6));
       pen_.write(rover.id, {x_mm + rover_sample_mm, y_mm + 0.9}, letters_mm, Anchor::left);
     }
   }
@@ -258,7 +258,7 @@ class Figure {
     axes.draw("east (m)", "north (m)", box.bottom_mm());
     for (const ReportRover& rover : data_.rovers) {
       axes.line(rover.position.column(position_x), rover.position.column(position_y),
-                line_of(rover, 0.4));
+                stroke_of(rover, 0.4));
     }
     // Mark each start; it is all that shows of a rover that never moves.
     constexpr double dot_mm = 1.6;
@@ -296,7 +296,7 @@ class Figure {
     for (std::size_t k = 0; k < lines.size(); ++k) {
       const ReportRover& rover = data_.rovers[k];
       axes.line(scaled(series(rover, panel.column)->times_s(), unit_.per_s), lines[k],
-                line_of(rover));
+                stroke_of(rover));
     }
     axes.frame();
     letter(panel.letter, box);

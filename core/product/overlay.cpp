@@ -28,7 +28,7 @@ KmlFolder named_folder(std::string name) {
   return folder;
 }
 
-KmlFolder folder_of(std::string name, OverlayMarks marks) {
+KmlFolder folder_of_marks(std::string name, OverlayMarks marks) {
   KmlFolder folder = named_folder(std::move(name));
   for (OverlayMark& mark : marks) folder.placemarks.push_back(std::move(mark.placemark));
   return folder;
@@ -75,10 +75,11 @@ std::vector<KmlFolder> folders_by_day(const std::string& rover_id, std::vector<K
     for (auto& [day, marks] : of_days) {
       KmlFolder& folder = days[static_cast<std::size_t>(day)];
       folder.folders.push_back(
-          folder_of(fmt::format("{} {}", folder.name, kind.name), std::move(marks)));
+          folder_of_marks(fmt::format("{} {}", folder.name, kind.name), std::move(marks)));
     }
     if (!others.empty()) {
-      undated.push_back(folder_of(fmt::format("{} {}", rover_id, kind.name), std::move(others)));
+      undated.push_back(
+          folder_of_marks(fmt::format("{} {}", rover_id, kind.name), std::move(others)));
     }
   }
   std::erase_if(days, [](const KmlFolder& day) { return day.folders.empty(); });
@@ -142,8 +143,8 @@ std::vector<KmlFolder> rover_folders(const RoverTrack& track, const LoggedMarks&
                                     {"events", event_points(events, start, rover_id)},
                                     {"samples", sample_points(track, start, rover_id, style)}};
   std::vector<KmlFolder> folders{
-      folder_of(rover_id + " plan", drawn_lines(plan, rover_id, style)),
-      folder_of(rover_id + " track", moving_point(track, start, rover_id, style))};
+      folder_of_marks(rover_id + " plan", drawn_lines(plan, rover_id, style)),
+      folder_of_marks(rover_id + " track", moving_point(track, start, rover_id, style))};
   if (day_count(end) > 1) {
     std::vector<KmlFolder> days = folders_by_day(rover_id, std::move(at_times), start, end);
     folders.insert(folders.end(), std::make_move_iterator(days.begin()),
@@ -151,7 +152,7 @@ std::vector<KmlFolder> rover_folders(const RoverTrack& track, const LoggedMarks&
     return folders;
   }
   for (KindOfMarks& kind : at_times) {
-    folders.push_back(folder_of(rover_id + " " + kind.name, std::move(kind.marks)));
+    folders.push_back(folder_of_marks(rover_id + " " + kind.name, std::move(kind.marks)));
   }
   return folders;
 }
@@ -196,7 +197,7 @@ std::string overlay_kml(const LogReader& log, const Plan& plan, IconPlace icon_h
   }
   const ThinnedNotes notes = thinned_notes(log);
   const bool is_whole = notes.rows.size() == notes.in_log;
-  document.folders.push_back(folder_of(
+  document.folders.push_back(folder_of_marks(
       is_whole ? "notes" : fmt::format("notes ({} of {})", notes.rows.size(), notes.in_log),
       note_points(notes, logged.start)));
   document.look_at = look_at(*plan.mission.planet, places);

@@ -13,11 +13,11 @@ namespace lsos {
 
 namespace {
 
-constexpr double margin_share = 0.25, margin_least_m = 40;
+constexpr double extent_margin_share = 0.25, extent_margin_least_m = 40;
 constexpr int hillshade_px = 1000;      // along the longer side
 constexpr double finest_cell_m = 0.25;  // smaller cells show no more
 
-void add(MapExtent& extent, double x_m, double y_m) {
+void widen(MapExtent& extent, double x_m, double y_m) {
   extent.west_m = std::min(extent.west_m, x_m);
   extent.east_m = std::max(extent.east_m, x_m);
   extent.south_m = std::min(extent.south_m, y_m);
@@ -33,15 +33,15 @@ MapExtent extent_of(const ReportData& data) {
   MapExtent extent;
   for (const ReportRover& rover : data.rovers) {
     for (std::size_t k = 0; k < rover.position.size(); ++k) {
-      add(extent, rover.position.column(position_x)[k], rover.position.column(position_y)[k]);
+      widen(extent, rover.position.column(position_x)[k], rover.position.column(position_y)[k]);
     }
     for (const auto* lines : {&rover.drawn, &rover.planned}) {
       for (const ReportLine& line : *lines) {
-        for (const ReportPoint& point : line) add(extent, point.x_m, point.y_m);
+        for (const ReportPoint& point : line) widen(extent, point.x_m, point.y_m);
       }
     }
   }
-  const double margin_m = std::max(margin_least_m, margin_share * longer_m(extent));
+  const double margin_m = std::max(extent_margin_least_m, extent_margin_share * longer_m(extent));
   return {extent.west_m - margin_m, extent.south_m - margin_m, extent.east_m + margin_m,
           extent.north_m + margin_m};
 }

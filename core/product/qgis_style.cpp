@@ -96,7 +96,7 @@ std::string events() {
   return categories("status", symbols, false, "if(\"status\" = 'completed', 0, 1)");
 }
 
-std::string notes() {
+std::string notes_style() {
   const std::string warns_red =
       R"(if("name" = 'warn_when', color_rgb(215, 25, 28), color_rgb(255, 255, 255)))";
   return qgis_single_symbol(qgis_symbol("marker", "0",
@@ -134,7 +134,7 @@ std::vector<QgisLayer> qgis_layers(const std::vector<std::string>& rovers) {
   return {
       // Events are drawn by their status, which is known from their end on.
       {"events", "Events", "Point", events(), label("label"), temporal("end_utc", "")},
-      {"notes", "Notes", "Point", notes(), label("name"), "", false},
+      {"notes", "Notes", "Point", notes_style(), label("name"), "", false},
       {"samples", "Samples", "Point", samples(rovers), "", temporal("utc", "")},
       {"planned_paths", "Planned paths", "Line",
        categories("rover_id", by_rover(rovers, path, "line_color"), true), "", ""},

@@ -30,7 +30,7 @@ constexpr ShownUnit shown_units[] = {
     {"_share", 0, 0.01, " %"},
 };
 
-const ShownUnit* unit_of(std::string_view name, double value) {
+const ShownUnit* shown_unit(std::string_view name, double value) {
   const auto found = std::ranges::find_if(shown_units, [&](const ShownUnit& unit) {
     return name.ends_with(unit.suffix) && std::abs(value) >= unit.least;
   });
@@ -41,7 +41,7 @@ const ShownUnit* unit_of(std::string_view name, double value) {
 
 std::string quantity_label(const std::string& name) {
   std::string label = name;
-  const ShownUnit* unit = unit_of(name, 0);
+  const ShownUnit* unit = shown_unit(name, 0);
   const bool is_word = unit != nullptr && unit->unit == " %";  // the suffix is a word of the name
   if (unit != nullptr && !is_word) label.resize(label.size() - unit->suffix.size());
   std::ranges::replace(label, '_', ' ');
@@ -49,7 +49,7 @@ std::string quantity_label(const std::string& name) {
 }
 
 std::string quantity_text(const std::string& name, double value, int digits) {
-  const ShownUnit* unit = unit_of(name, value);
+  const ShownUnit* unit = shown_unit(name, value);
   if (unit == nullptr) return fmt::format("{:.{}g}", value, digits);
   const double shown = value / unit->factor;
   // Rather all whole digits than an exponent.

@@ -18,13 +18,13 @@ namespace lsos {
 
 namespace {
 
-constexpr double line_tolerance_m = 0.2;
+constexpr double shown_line_tolerance_m = 0.2;
 
 ReportLine simplified_line(const ReportLine& line) {
   std::vector<Vec2> points_m;
   for (const ReportPoint& point : line) points_m.emplace_back(point.x_m, point.y_m);
   ReportLine simple;
-  for (const Vec2& point_m : simplified(points_m, line_tolerance_m)) {
+  for (const Vec2& point_m : simplified(points_m, shown_line_tolerance_m)) {
     simple.push_back({point_m.x(), point_m.y()});
   }
   return simple;
@@ -54,7 +54,7 @@ struct Thinning {
   KeptRows places;
 };
 
-void add_place(const SampleRow& row, const SiteFrame& site, ThinnedRows& position) {
+void add_position(const SampleRow& row, const SiteFrame& site, ThinnedRows& position) {
   position.add(seconds(row.time), std::array{row.p_S_m.x(), row.p_S_m.y(), lon_deg(row.place),
                                              lat_deg(row.place), heading_on_map_rad(site, row)});
 }
@@ -94,7 +94,7 @@ void read_samples(const LogReader& log, const SiteFrame& site, const ReportScope
   });
   for (auto& [id, rover] : rovers) {
     for (const SampleRow& row : thinnings.at(id).places.rows())
-      add_place(row, site, rover.position);
+      add_position(row, site, rover.position);
     rover.position.finish();
     for (auto& [name, series] : rover.series) series.finish();
     rover.colour = web_colour(data.rovers.size());

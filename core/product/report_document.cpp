@@ -35,7 +35,7 @@ Json line(const ReportLine& points) {
   return flat;
 }
 
-Json lines(const std::vector<ReportLine>& all) {
+Json lines_json(const std::vector<ReportLine>& all) {
   Json array = Json::array();
   for (const ReportLine& points : all) array.push_back(line(points));
   return array;
@@ -69,8 +69,8 @@ Json rovers(const ReportData& data, const ReportExtras& extras) {
                    {"last_s", rover.last_s},
                    {"distance_m", rover.distance_m},
                    {"battery", battery(extras, rover.id)},
-                   {"drawn", lines(rover.drawn)},
-                   {"planned", lines(rover.planned)},
+                   {"drawn", lines_json(rover.drawn)},
+                   {"planned", lines_json(rover.planned)},
                    {"position", position(rover.position)}};
     for (const auto& [name, rows] : rover.series) object[name] = series(rows);
     array.push_back(std::move(object));
@@ -103,7 +103,7 @@ Json placed_rows(const std::vector<Row>& rows, const SiteFrame& site) {
 }
 
 // The notes, with their fields as an object.
-Json notes(const ReportData& data, const SiteFrame& site) {
+Json notes_json(const ReportData& data, const SiteFrame& site) {
   Json array = placed_rows(data.notes.rows, site);
   for (Json& note : array) {
     const Json fields = note["fields"];
@@ -175,7 +175,7 @@ Json map_of(const std::optional<ReportMap>& map) {
   return object;
 }
 
-Json pictures(const std::vector<ReportPicture>& all) {
+Json pictures_json(const std::vector<ReportPicture>& all) {
   Json array = Json::array();
   for (const ReportPicture& picture : all) {
     array.push_back({{"rover_id", picture.rover_id},
@@ -267,13 +267,13 @@ nlohmann::ordered_json report_document(const ReportData& data, const Plan& plan,
       {"rovers", rovers(data, extras)},
       {"assets", assets(data)},
       {"events", placed_rows(data.events, site)},
-      {"notes", notes(data, site)},
+      {"notes", notes_json(data, site)},
       {"notes_in_log", data.notes.in_log},
       {"kinds", kinds(data)},
       {"sight", pairs(data)},
       {"distances", distances(data)},
       {"map", map_of(extras.map)},
-      {"pictures", pictures(extras.pictures)},
+      {"pictures", pictures_json(extras.pictures)},
       {"left_out", extras.left_out},
       {"run", data.run},
       {"stretches", data.stretches},

@@ -13,7 +13,7 @@ namespace lsos {
 
 namespace {
 
-constexpr double margin_share = 0.14, margin_least_m = 25;
+constexpr double map_margin_share = 0.14, map_margin_least_m = 25;
 constexpr double aspect_min = 0.62, aspect_max = 1.1;  // height over width
 constexpr int relief_px = 600, shadow_px = 200;        // along the longer side
 constexpr double light_azimuth_rad = radians(315), light_elevation_rad = radians(45);
@@ -49,7 +49,8 @@ class Bounds {
   ReportMap map() const {
     ReportMap map;
     double width_m = right_m_ - left_m_, height_m = top_m_ - bottom_m_;
-    const double margin_m = std::max(margin_least_m, margin_share * std::max(width_m, height_m));
+    const double margin_m =
+        std::max(map_margin_least_m, map_margin_share * std::max(width_m, height_m));
     width_m += 2 * margin_m;
     height_m += 2 * margin_m;
     height_m = std::max(height_m, aspect_min * width_m);

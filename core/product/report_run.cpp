@@ -21,8 +21,9 @@ constexpr int chase_px = 800, sun_px = 450, quality = 80;
 // ground, which has nodes by the pixel.
 constexpr int chase_px_of_days = 640;
 
-std::vector<ReportPicture> pictures(PictureRun& run, const LogReader& log, const ReportData& data,
-                                    std::vector<std::string>& left_out) {
+std::vector<ReportPicture> drawn_pictures(PictureRun& run, const LogReader& log,
+                                          const ReportData& data,
+                                          std::vector<std::string>& left_out) {
   const std::vector<ReportMoment> moments = report_moments(log, data, left_out);
   std::vector<SimTime> times;
   for (const ReportMoment& moment : moments) times.push_back(moment.time);
@@ -74,7 +75,7 @@ std::string report_of(PictureRun run, const LogReader& log, const std::string& s
     extras.map = report_map(*run.ground, data, request.shadow_at, request.threads);
     // Pictures may fail, as without a font or a GPU; the rest is still worth reading.
     try {
-      if (request.has_pictures) extras.pictures = pictures(run, log, data, left_out);
+      if (request.has_pictures) extras.pictures = drawn_pictures(run, log, data, left_out);
     } catch (const std::exception& error) {
       left_out.push_back(fmt::format("pictures: {}", error.what()));
     }

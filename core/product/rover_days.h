@@ -5,14 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "base/sim_time.h"
 #include "record/log.h"
 
 namespace lsos {
 
-// Days last 24 hours, counted from the start of the mission.
-inline constexpr SimTime day_length{86'400'000'000};
-
-// NaN: not modelled.
+// Days are counted from the start of the mission. NaN: not modelled.
 struct RoverDay {
   std::string rover_id;
   int day = 1;

@@ -9,7 +9,7 @@ namespace lsos {
 
 namespace {
 
-using Json = nlohmann::json;
+using PlainJson = nlohmann::json;
 
 const std::string mast_prefix = "antenna ";
 
@@ -21,23 +21,23 @@ const std::map<std::string, std::string> hindrances = {
 };
 
 // "" where it is null.
-std::string text_of(const Json& fields, const char* name) {
+std::string field_text(const PlainJson& fields, const char* name) {
   const auto found = fields.find(name);
   return found != fields.end() && found->is_string() ? found->get<std::string>() : "";
 }
 
 // The breakage that a note "fault" tells of; see breakage_json().
 std::optional<Breakage> breakage_of(const NoteRow& note) {
-  const Json fields = Json::parse(note.fields_json, nullptr, false);
+  const PlainJson fields = PlainJson::parse(note.fields_json, nullptr, false);
   if (!fields.is_object()) return {};
   // Notes of event scripts may have that name too, with other fields.
   for (const char* name : {"mode", "part", "repair", "share", "what"}) {
     if (!fields.contains(name)) return {};
   }
   Breakage breakage;
-  breakage.what = text_of(fields, "what");
-  breakage.part = text_of(fields, "part");
-  breakage.mode = text_of(fields, "mode");
+  breakage.what = field_text(fields, "what");
+  breakage.part = field_text(fields, "part");
+  breakage.mode = field_text(fields, "mode");
   if (const auto share = fields.find("share"); share != fields.end() && share->is_number()) {
     breakage.share = share->get<double>();
   }
@@ -48,7 +48,7 @@ std::optional<Breakage> breakage_of(const NoteRow& note) {
 
 // The share of sunlight that a note "shaded" tells of; 1 where it is another note of that name.
 double shade_of(const NoteRow& note) {
-  const Json fields = Json::parse(note.fields_json, nullptr, false);
+  const PlainJson fields = PlainJson::parse(note.fields_json, nullptr, false);
   if (!fields.is_object()) return 1;
   const auto share = fields.find("share");
   return share != fields.end() && share->is_number() ? share->get<double>() : 1;

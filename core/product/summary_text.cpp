@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t events_on_a_screen = 16;
 
 // Examples: "2 d 03 h", "3 h 05 min", "5 min 07 s", "7.5 s".
-std::string duration_text(double time_s) {
+std::string span_text(double time_s) {
   if (!std::isfinite(time_s)) return "-";
   if (time_s < 60) return fmt::format("{:.1f} s", time_s);
   const auto whole_s = std::llround(time_s);
@@ -34,14 +34,14 @@ std::string rover_lines(const RunSummary& summary) {
       fmt::format("\n{:<16} {:>12} {:>14} {:>14}\n", "rover", "distance", "duration", "driving");
   for (const auto& [id, rover] : summary.rovers) {
     text += fmt::format("{:<16} {:>12} {:>14} {:>14}\n", id, distance_text(rover.distance_m),
-                        duration_text(rover.duration_s), duration_text(rover.drive_s));
+                        span_text(rover.duration_s), span_text(rover.drive_s));
   }
   return text;
 }
 
 std::string event_line(const EventRow& event) {
   const std::string took =
-      event.start && event.end ? duration_text(seconds(*event.end - *event.start)) : "";
+      event.start && event.end ? span_text(seconds(*event.end - *event.start)) : "";
   std::string line = fmt::format("{:<16} {:<24} {:<12} {:>12}",
                                  fmt::format("{}/{}", event.rover_id, event.sequence), event.label,
                                  to_string(event.status), took);
@@ -75,8 +75,7 @@ std::string event_lines(const RunSummary& summary) {
 std::string to_text(const RunSummary& summary) {
   std::string text = fmt::format("{}: {}\n", summary.plan, to_string(summary.status));
   if (!summary.from.empty()) text += fmt::format("begins as {} ended\n", summary.from);
-  text += fmt::format("simulated {} in {}", duration_text(summary.sim_s),
-                      duration_text(summary.wall_s));
+  text += fmt::format("simulated {} in {}", span_text(summary.sim_s), span_text(summary.wall_s));
   if (summary.wall_s > 0) {
     text += fmt::format(", {:.0f} x real time", summary.sim_s / summary.wall_s);
   }
@@ -84,7 +83,7 @@ std::string to_text(const RunSummary& summary) {
   if (summary.branch) {
     const std::string& changes = summary.branch->changes;
     text += fmt::format("a branch of {} from {} on, {}\n", summary.branch->folder,
-                        duration_text(seconds(summary.branch->time)),
+                        span_text(seconds(summary.branch->time)),
                         changes.empty() ? "with nothing changed" : changes);
   }
   if (!summary.rovers.empty()) text += rover_lines(summary);

@@ -76,7 +76,7 @@ bool is_time(std::int64_t time_us) {
   return time_us >= 0 && seconds(SimTime{time_us}) <= time_max_s;
 }
 
-[[noreturn]] void refuse(const sqlite::Database& database, const char* table, std::int64_t id) {
+[[noreturn]] void refuse_row(const sqlite::Database& database, const char* table, std::int64_t id) {
   throw InputError(
       {database.file()},
       fmt::format("table '{}', id {}: holds what lsos-host does not write", table, id));
@@ -150,7 +150,7 @@ std::vector<CheckpointEntry> checkpoint_entries(const sqlite::Database& database
     const auto kind = kind_of(query.text(2));
     const bool is_early = !entries.empty() && SimTime{time_us} < entries.back().time;
     if (query.kind(1) != sqlite::CellKind::integer || !is_time(time_us) || is_early || !kind) {
-      refuse(database, "lsos_checkpoints", id);
+      refuse_row(database, "lsos_checkpoints", id);
     }
     entries.push_back({id, SimTime{time_us}, *kind});
   }
@@ -205,10 +205,10 @@ std::optional<BranchOrigin> read_branch(const sqlite::Database& database) {
   if (!query.next()) return {};
   for (const int text : {0, 1, 3}) {
     const bool is_text = query.kind(text) == sqlite::CellKind::text && is_utf8(query.text(text));
-    if (!is_text) refuse(database, "lsos_branch", 1);
+    if (!is_text) refuse_row(database, "lsos_branch", 1);
   }
   if (query.kind(2) != sqlite::CellKind::integer || !is_time(query.integer(2))) {
-    refuse(database, "lsos_branch", 1);
+    refuse_row(database, "lsos_branch", 1);
   }
   return BranchOrigin{std::string(query.text(0)), std::string(query.text(1)),
                       SimTime{query.integer(2)}, std::string(query.text(3))};

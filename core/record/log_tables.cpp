@@ -14,7 +14,7 @@ namespace {
 constexpr std::int64_t application_ids[] = {0x47504b47, 0x47503130, 0x47503131};
 
 // What SQLite calls it: "table", "view", "virtual" or "shadow"; "": it has none of that name.
-std::string type_of(const sqlite::Database& database, std::string_view name) {
+std::string entry_type(const sqlite::Database& database, std::string_view name) {
   sqlite::Query query(database,
                       fmt::format("SELECT type FROM pragma_table_list WHERE schema = 'main' AND "
                                   "name = '{}'",
@@ -29,11 +29,11 @@ std::string type_of(const sqlite::Database& database, std::string_view name) {
 }  // namespace
 
 bool has_table(const sqlite::Database& database, std::string_view name) {
-  return type_of(database, name) == "table";
+  return entry_type(database, name) == "table";
 }
 
 void check_layer(const sqlite::Database& database, const LayerSpec& layer) {
-  const std::string type = type_of(database, layer.name);
+  const std::string type = entry_type(database, layer.name);
   if (type.empty()) {
     refuse(database, fmt::format("no log of lsos-host: it has no layer '{}'", layer.name));
   }

@@ -12,7 +12,7 @@ namespace lsos {
 namespace {
 
 // Tables have no times of the calendar.
-ColumnType type_of(const OGRFieldDefn& field) {
+ColumnType column_type(const OGRFieldDefn& field) {
   switch (field.GetType()) {
     case OFTInteger:
     case OFTInteger64:
@@ -74,19 +74,19 @@ std::vector<TableColumn> TableFileReader::columns(const std::string& layer) cons
   std::vector<TableColumn> columns;
   for (int i = 0; i < definition.GetFieldCount(); ++i) {
     const OGRFieldDefn& field = *definition.GetFieldDefn(i);
-    columns.push_back({field.GetNameRef(), type_of(field)});
+    columns.push_back({field.GetNameRef(), column_type(field)});
   }
   return columns;
 }
 
-std::vector<TableRow> TableFileReader::rows(const std::string& layer) const {
+std::vector<FileRow> TableFileReader::rows(const std::string& layer) const {
   const std::vector<TableColumn> of = columns(layer);
   const gpkg::QuietErrors errors;
   OGRLayer& source = impl_->layer(layer);
   source.ResetReading();
-  std::vector<TableRow> rows;
+  std::vector<FileRow> rows;
   while (const gpkg::Feature feature{source.GetNextFeature()}) {
-    TableRow row;
+    FileRow row;
     for (std::size_t i = 0; i < of.size(); ++i) {
       row.values.push_back(value_of(*feature, static_cast<int>(i), of[i].type));
     }

@@ -11,7 +11,7 @@
 
 namespace lsos {
 
-struct TableRow {
+struct FileRow {
   std::vector<ColumnValue> values;  // in the order of the columns
   std::optional<Geodetic> place;
 };
@@ -26,7 +26,7 @@ class TableFileReader {
 
   std::vector<TableColumn> columns(const std::string& layer) const;
   // All rows in the order in which they were written.
-  std::vector<TableRow> rows(const std::string& layer) const;
+  std::vector<FileRow> rows(const std::string& layer) const;
 
  private:
   struct Impl;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/polyline.h"
+#include "base/rounding.h"
 #include "route/refine/optimise.h"
 #include "route/refine/shortcut.h"
 #include "route/refine/simplify.h"
@@ -15,9 +16,8 @@ namespace lsos {
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
 // A piece shorter than this has no direction.
-constexpr double same_m = 1e-3;
+constexpr double same_place_m = 1e-3;
 // Points nearer than `simplify_m` to the line between their neighbours are removed, unless the cost
 // rises by more than the factor `simplify_cost_ratio`.
 constexpr double simplify_m = 0.01;
@@ -120,7 +120,7 @@ class Planner {
     std::vector<Pose2> poses{start_};
     for (std::size_t k = 0; k + 1 < sharp.size(); ++k) {
       const Vec2 delta_m = sharp[k + 1] - sharp[k];
-      if (delta_m.norm() < same_m) continue;
+      if (delta_m.norm() < same_place_m) continue;
       const double yaw_rad = std::atan2(delta_m.y(), delta_m.x());
       const bool is_last = k + 2 == sharp.size();
       poses.push_back({is_last ? sharp[k + 1] : Vec2(sharp[k] + delta_m / 2), yaw_rad});

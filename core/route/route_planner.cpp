@@ -25,7 +25,7 @@ constexpr double corridor_min_m = 20;
 // Least half width for rovers that cannot turn on the spot, in turning radii.
 constexpr double half_width_radii = 5;
 // A leg shorter than this has no direction.
-constexpr double same_m = 1e-3;
+constexpr double same_point_m = 1e-3;
 // Radius around start and goal within which the rover keeps no distance from hazards.
 constexpr double tight_m = 2;
 // A rover that stands beyond a limit may leave over ground that is worse by the factor
@@ -323,7 +323,7 @@ class LegPlanner {
       leg_.end_heading_rad =
           std::remainder(leg_.end_heading_rad + std::numbers::pi, 2 * std::numbers::pi);
     }
-    if (goal_m_.norm() < same_m) leg_.end_heading_rad = request_.start_heading_rad;
+    if (goal_m_.norm() < same_point_m) leg_.end_heading_rad = request_.start_heading_rad;
   }
 
   // Adds setting off from rest; or the corner between the previous leg and this one, where the
@@ -338,7 +338,7 @@ class LegPlanner {
       leg_.energy_j += cost.stop_j;
       leg_.duration_s += cost.stop_s;
     }
-    if (!cost.can_turn_on_spot || goal_m_.norm() < same_m) return;
+    if (!cost.can_turn_on_spot || goal_m_.norm() < same_point_m) return;
     const Vec2 first_m = line[1] - line[0];
     const double heading_rad = request_.start_heading_rad;
     const Vec2 ahead(std::sin(heading_rad), std::cos(heading_rad));

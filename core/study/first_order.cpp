@@ -18,7 +18,8 @@ struct Sums {
 };
 
 // The probability that chance alone gives classes whose means differ so much.
-double significance(double between, double within, double between_freedom, double within_freedom) {
+double variance_significance(double between, double within, double between_freedom,
+                             double within_freedom) {
   if (!(within > 0)) return 0;
   const double ratio = (between / between_freedom) / (within / within_freedom);
   const boost::math::fisher_f_distribution<double> expected(between_freedom, within_freedom);
@@ -75,7 +76,7 @@ std::optional<FirstOrderShare> first_order_share(const std::vector<std::size_t>&
   FirstOrderShare found;
   // Both variances without their bias: what is left of 1 is what the classes explain.
   found.share = std::clamp(1 - (within / within_freedom) / (total / all_freedom), 0.0, 1.0);
-  found.p = significance(total - within, within, between_freedom, within_freedom);
+  found.p = variance_significance(total - within, within, between_freedom, within_freedom);
   found.classes = by_class.size();
   found.cases = all.count;
   return found;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/rounding.h"
 #include "terrain/layer.h"
 
 namespace lsos {
@@ -34,7 +35,6 @@ struct Layer::Probe::GridBox {
 };
 
 std::optional<Layer::Probe::GridBox> Layer::Probe::box(std::span<const PlanePoint> corners) {
-  constexpr double infinite = std::numeric_limits<double>::infinity();
   GridBox box{infinite, -infinite, infinite, -infinite};
   std::optional<GridPoint> first;
   double bend = 0;  // of the map over the region: by how much corners miss the linear map, in cells

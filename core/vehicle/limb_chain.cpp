@@ -25,7 +25,7 @@ Matrix damped_inverse(const Matrix& jacobian, double damping) {
   return jacobian.transpose() * normal.ldlt().solve(Matrix::Identity(normal.rows(), normal.cols()));
 }
 
-constexpr int steps_max = 200;
+constexpr int solver_steps_max = 200;
 constexpr double step_max_rad = 0.2, converged_rad = 1e-7;
 
 }  // namespace
@@ -81,7 +81,7 @@ std::vector<double> LimbChain::step_rad(const std::vector<double>& angles_rad, c
 LimbChain::Reach LimbChain::reach(const Vec3& hub_B_m, std::vector<double> from_rad,
                                   const std::vector<bool>& is_fixed) const {
   Reach reach{std::move(from_rad)};
-  for (int k = 0; k < steps_max; ++k) {
+  for (int k = 0; k < solver_steps_max; ++k) {
     const std::vector<double> step =
         step_rad(reach.angles_rad, hub_B_m - pose(reach.angles_rad).hub_B_m, is_fixed);
     double longest_rad = 0, moved_rad = 0;

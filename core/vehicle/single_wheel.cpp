@@ -9,7 +9,7 @@ namespace {
 constexpr double speed_mps =
     0.1;  // the faster of rolling and travel speed; forces do not depend on it
 constexpr double step_s = 0.2;
-constexpr int steps_max = 100'000, steady_steps = 10;
+constexpr int settling_steps_max = 100'000, steady_steps = 10;
 constexpr double steady = 1e-12;  // relative change of the sinkage in one step
 
 }  // namespace
@@ -41,7 +41,7 @@ SingleWheelPoint single_wheel(const WheelSoil& wheel_soil, double load_n, double
   WheelContactState state;
   state.rolled_m = rolling_mobilised_m;
   WheelContactForces forces;
-  for (int i = 0, unchanged = 0; i < steps_max && unchanged < steady_steps; ++i) {
+  for (int i = 0, unchanged = 0; i < settling_steps_max && unchanged < steady_steps; ++i) {
     const Vec3 before_S_m = state.shear_S_m;
     const double before_m = state.sinkage_m, rolled_m = state.rolled_m;
     forces = wheel_soil.forces(input, step_s, state);

@@ -13,7 +13,7 @@ namespace lsos {
 namespace {
 
 template <bool up>
-int deploy(lua_State* L) {
+int deploy_antenna(lua_State* L) {
   RoverPort& rover = handle_rover(L, antennas_handle_type());
   std::optional<double> duration_s;
   if (!lua_isnoneornil(L, 3)) duration_s = check_deploying_s(L, 3, "antennas");
@@ -30,11 +30,11 @@ const HandleType& antennas_handle_type() {
       "rover.antennas",
       "The rover's antennas.",
       {},
-      {{"deploy", guard<deploy<true>>, "antennas:deploy(name, duration_s)",
+      {{"deploy", guard<deploy_antenna<true>>, "antennas:deploy(name, duration_s)",
         "Raises the one with that name (nil: all that can be stowed), in that time or its own. "
         "Answers how long it takes, s, and whether any moves: false when all are up.",
         "fun(self: lsos.rover.antennas, name?: string, duration_s?: number): number, boolean"},
-       {"stow", guard<deploy<false>>, "antennas:stow(name, duration_s)", "The reverse.",
+       {"stow", guard<deploy_antenna<false>>, "antennas:stow(name, duration_s)", "The reverse.",
         "fun(self: lsos.rover.antennas, name?: string, duration_s?: number): number, boolean"}}};
   return type;
 }

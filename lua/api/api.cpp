@@ -47,7 +47,7 @@ int random(lua_State* L) {
 // What only scenarios and prompts have, see session_api.h.
 constexpr char sim_name[] = "lsos.sim", scenario_name[] = "lsos.scenario";
 template <const char* name>
-int refuse(lua_State*) {
+int refuse_outside_scenarios(lua_State*) {
   throw std::runtime_error(fmt::format("{} works only in scenarios and at the prompt", name));
 }
 
@@ -125,8 +125,8 @@ void make_module(lua_State* L, const std::vector<ApiFunction>& more) {
 
 void make_api(lua_State* L) {
   static const std::vector<ApiFunction> refusals{
-      {"sim", guard<refuse<sim_name>>, "", "", ""},
-      {"scenario", guard<refuse<scenario_name>>, "", "", ""}};
+      {"sim", guard<refuse_outside_scenarios<sim_name>>, "", "", ""},
+      {"scenario", guard<refuse_outside_scenarios<scenario_name>>, "", "", ""}};
   make_module(L, refusals);
 }
 

@@ -51,7 +51,7 @@ int read_param(lua_State* L) {
   return 1;
 }
 
-int refuse_write(lua_State*) { throw std::runtime_error("ev.params is read-only"); }
+int refuse_params_write(lua_State*) { throw std::runtime_error("ev.params is read-only"); }
 
 // pairs(ev.params) iterates over the given values. Upvalue: table of values.
 int params_pairs(lua_State* L) {
@@ -136,7 +136,7 @@ void push_params(lua_State* L, const EventDeclaration& event, const EventArgumen
   lua_pushlightuserdata(L, const_cast<EventDeclaration*>(&event));
   lua_pushcclosure(L, guard<read_param>, 3);
   lua_setfield(L, -2, "__index");
-  lua_pushcfunction(L, guard<refuse_write>);
+  lua_pushcfunction(L, guard<refuse_params_write>);
   lua_setfield(L, -2, "__newindex");
   lua_pushvalue(L, values);
   lua_pushcclosure(L, guard<params_pairs>, 1);

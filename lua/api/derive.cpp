@@ -26,12 +26,12 @@ namespace {
 // Texts of the changes, for the sentence among the assumptions: "battery.capacity_j = 2.16e+08".
 using Changes = std::vector<std::string>;
 
-std::string joined(const std::string& path, const std::string& key) {
+std::string joined_path(const std::string& path, const std::string& key) {
   return path.empty() ? key : path + "." + key;
 }
 
 // The value at the top as the sentence shows it.
-std::string value_text(lua_State* L) {
+std::string derived_value_text(lua_State* L) {
   if (const auto v = to_vec3(L, -1))
     return fmt::format("({:.6g}, {:.6g}, {:.6g})", v->x(), v->y(), v->z());
   switch (lua_type(L, -1)) {
@@ -66,7 +66,7 @@ void push_copied_keys(lua_State* L, int index, const std::string& path) {
 void push_changed(lua_State* L, int made, int changes, const std::string& path, Changes& applied);
 
 // The name that a part in a list was given; "" for a part without one.
-std::string name_of(lua_State* L, int index) {
+std::string given_name(lua_State* L, int index) {
   std::string name;
   if (to_constructed(L, index) == nullptr) return name;
   if (lua_getiuservalue(L, index, 1) == LUA_TTABLE) {
@@ -84,7 +84,7 @@ std::string name_of(lua_State* L, int index) {
   const auto count = static_cast<lua_Integer>(lua_rawlen(L, list));
   for (lua_Integer k = 1; k <= count; ++k) {
     lua_rawgeti(L, list, k);
-    if (std::string found = name_of(L, -1); !found.empty()) names.push_back(std::move(found));
+    if (std::string found = given_name(L, -1); !found.empty()) names.push_back(std::move(found));
     lua_pop(L, 1);
   }
   throw std::runtime_error(
@@ -108,7 +108,7 @@ void push_changed_list(lua_State* L, int list, int changes, const std::string& p
     const auto count = static_cast<lua_Integer>(lua_rawlen(L, list));
     for (lua_Integer k = 1; k <= count && !is_there; ++k) {
       lua_rawgeti(L, list, k);
-      is_there = !name.empty() && name_of(L, -1) == name;
+      is_there = !name.empty() && given_name(L, -1) == name;
       lua_pop(L, 1);
     }
     if (!is_there) refuse_name(L, list, path, key_text(L, -2));
@@ -119,7 +119,7 @@ void push_changed_list(lua_State* L, int list, int changes, const std::string& p
   const auto count = static_cast<lua_Integer>(lua_rawlen(L, list));
   for (lua_Integer k = 1; k <= count; ++k) {
     lua_rawgeti(L, list, k);
-    const std::string name = name_of(L, -1), here = joined(path, name);
+    const std::string name = given_name(L, -1), here = joined_path(path, name);
     if (name.empty()) lua_pushnil(L);
     if (!name.empty()) {
       lua_pushlstring(L, name.data(), name.size());
@@ -182,7 +182,7 @@ void change(lua_State* L, const std::string& path, Changes& applied) {
     lua_replace(L, -2);
   } else {
     doubt_size(L, path);
-    applied.push_back(fmt::format("{} = {}", path, value_text(L)));
+    applied.push_back(fmt::format("{} = {}", path, derived_value_text(L)));
   }
 }
 
@@ -204,7 +204,7 @@ void merge(lua_State* L, int changes, const std::string& path, Changes& applied)
     if (path.empty() && (name == "assumptions" || name == "doc" || name == "api")) continue;
     lua_getfield(L, keys, name.c_str());
     lua_getfield(L, changes, name.c_str());
-    change(L, joined(path, name), applied);
+    change(L, joined_path(path, name), applied);
     lua_setfield(L, keys, name.c_str());
     lua_pop(L, 1);
   }

@@ -13,8 +13,6 @@ namespace lsos {
 
 namespace {
 
-RoverPort& rover_of(lua_State* L) { return handle_rover(L, rover_handle_type()); }
-
 FollowSettings check_settings(lua_State* L, int argument) {
   FollowSettings settings;
   if (lua_isnoneornil(L, argument)) return settings;

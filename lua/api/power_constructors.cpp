@@ -35,8 +35,8 @@ void read_battery(TableReader& t, BatterySpec& battery) {
 }
 
 // Reads the two limits of an axis, which are given together or not at all.
-void read_limits(TableReader& t, const char* least, const char* most, double rest_rad,
-                 const Range& range, AngleLimits& limits, const char* doc) {
+void read_turn_limits(TableReader& t, const char* least, const char* most, double rest_rad,
+                      const Range& range, AngleLimits& limits, const char* doc) {
   std::optional<double> from_rad, to_rad;
   t.number(optional, least, from_rad, range, doc);
   t.number(optional, most, to_rad, range, "The other end.");
@@ -69,12 +69,13 @@ void read_panel(TableReader& t, PanelSpec& panel) {
            "Where it faces at rest, clockwise from the nose (default 0).");
   t.number(optional, "elevation_rad", panel.rest.elevation_rad, {-pi / 2, pi},
            "The same above the deck (default pi/2: straight up).");
-  read_limits(t, "azimuth_min_rad", "azimuth_max_rad", panel.rest.azimuth_rad, {-pi, pi},
-              panel.azimuth,
-              "How far it turns, clockwise from the nose; -pi to pi: all round "
-              "(default: it does not turn).");
-  read_limits(t, "elevation_min_rad", "elevation_max_rad", panel.rest.elevation_rad, {-pi / 2, pi},
-              panel.elevation, "How far it tips, above the deck (default: it does not).");
+  read_turn_limits(t, "azimuth_min_rad", "azimuth_max_rad", panel.rest.azimuth_rad, {-pi, pi},
+                   panel.azimuth,
+                   "How far it turns, clockwise from the nose; -pi to pi: all round "
+                   "(default: it does not turn).");
+  read_turn_limits(t, "elevation_min_rad", "elevation_max_rad", panel.rest.elevation_rad,
+                   {-pi / 2, pi}, panel.elevation,
+                   "How far it tips, above the deck (default: it does not).");
   t.number(optional, "rate_radps", panel.rate_radps, positive,
            "How fast it turns; required when it does.");
   t.number(optional, "motor_w", panel.motor_w, power_w, "While it turns (default 0).");

@@ -79,7 +79,7 @@ int plug_into(lua_State* L) {
 std::string panel_name(lua_State* L) { return luaL_optstring(L, 2, ""); }
 
 template <bool up>
-int deploy(lua_State* L) {
+int deploy_panels(lua_State* L) {
   std::optional<double> duration_s;
   if (!lua_isnoneornil(L, 3)) duration_s = check_deploying_s(L, 3, "panels");
   const Deployment deployment = panels_of(L).deploy_panel(panel_name(L), up, duration_s);
@@ -192,12 +192,13 @@ const HandleType& panels_handle_type() {
        {"is_any_up", is_any_up, "boolean", "Whether it has a panel that is not stowed."},
        {"turn_left_s", turn_left_s, "number",
         "Until all have arrived where they turn; 0: none turns."}},
-      {{"deploy", guard<deploy<true>>, "panels:deploy(name, duration_s)",
+      {{"deploy", guard<deploy_panels<true>>, "panels:deploy(name, duration_s)",
         "Puts up the panel of that name (nil: all). Answers how long that takes, s, and whether "
         "any "
         "moves: false when all are up.",
         "fun(self: lsos.rover.panels, name?: string, duration_s?: number): number, boolean"},
-       {"stow", guard<deploy<false>>, "panels:stow(name, duration_s)", "Folds it away; the same.",
+       {"stow", guard<deploy_panels<false>>, "panels:stow(name, duration_s)",
+        "Folds it away; the same.",
         "fun(self: lsos.rover.panels, name?: string, duration_s?: number): number, boolean"},
        {"steer", guard<steer>, "panels:steer(name, { mode = , azimuth_rad = , elevation_rad = })",
         "Turns it (nil: all): 'track' follows the Sun, 'point' faces an azimuth and elevation, "

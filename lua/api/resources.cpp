@@ -12,8 +12,6 @@ namespace lsos {
 
 namespace {
 
-RoverPort& rover_of(lua_State* L) { return handle_rover(L, rover_handle_type()); }
-
 // The name of a resource that the rover carries, the second argument of `call`.
 std::string checked_resource(lua_State* L, const char* call) {
   std::string name = luaL_checkstring(L, 2);

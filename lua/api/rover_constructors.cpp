@@ -137,7 +137,7 @@ void read_step(TableReader& t, VehicleConfig& vehicle) {
   }
 }
 
-void read_limits(TableReader& t, GroundLimits& limits) {
+void read_ground_limits(TableReader& t, GroundLimits& limits) {
   constexpr double right_angle_rad = 1.5707963267948966;
   t.number(optional, "slope_max_rad", limits.slope_max_rad, {0, right_angle_rad, true},
            "Steepest under its wheels, in any direction (default: 0.6 of what tips it over).");
@@ -227,7 +227,8 @@ std::vector<Constructor> rover_constructors() {
   std::vector<Constructor> all{
       constructor<RoverModel, read_rover>(rover_kind, "What a script in rovers/ returns."),
       constructor<Chassis, read_chassis>("chassis", "The body that the suspension carries."),
-      constructor<GroundLimits, read_limits>("limits", "Ground that planned routes keep off."),
+      constructor<GroundLimits, read_ground_limits>("limits",
+                                                    "Ground that planned routes keep off."),
       constructor<RoverConfiguration, read_configuration>(
           "configuration", "How a rover may stand and be loaded at the start.")};
   for (auto&& more : {suspension_constructors(), power_constructors(), antenna_constructors(),

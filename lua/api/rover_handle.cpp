@@ -21,7 +21,6 @@ namespace {
 // Cost of sampling ground or sky, which may have to be generated first.
 constexpr std::int64_t instructions_per_sample = 1000;
 
-RoverPort& rover_of(lua_State* L) { return handle_rover(L, rover_handle_type()); }
 const RoverView& view_of(lua_State* L) { return rover_of(L).view(); }
 
 template <auto member>
@@ -31,7 +30,7 @@ int quantity(lua_State* L) {
 }
 
 template <auto member>
-int text(lua_State* L) {
+int push_member_text(lua_State* L) {
   lua_pushstring(L, (view_of(L).*member).c_str());
   return 1;
 }
@@ -195,7 +194,7 @@ int distance_to_m(lua_State* L) {
   return 1;
 }
 
-int place_of(lua_State* L) {
+int push_place_of(lua_State* L) {
   const std::optional<Vec3> p_S_m = rover_of(L).place_of_S_m(luaL_checkstring(L, 2));
   if (!p_S_m) return 0;
   push_vec3(L, *p_S_m);
@@ -203,7 +202,7 @@ int place_of(lua_State* L) {
 }
 
 template <auto member>
-int sight_of(lua_State* L) {
+int push_sight_of(lua_State* L) {
   const RoverPort& rover = rover_of(L);
   const std::string id = luaL_checkstring(L, 2);
   const std::optional<PairSight> sight = rover.sight_of(id);
@@ -264,8 +263,8 @@ const HandleType& rover_handle_type() {
       "rover",
       "The rover that the event belongs to, as it was at the last exchange. A quantity that is not "
       "modelled is nil.",
-      {{"id", text<&V::id>, "text", "RoverId of the plan."},
-       {"type", text<&V::type>, "text", "RoverType of the plan."},
+      {{"id", push_member_text<&V::id>, "text", "RoverId of the plan."},
+       {"type", push_member_text<&V::type>, "text", "RoverType of the plan."},
        {"position", position, "vec3", "Reference point, site frame (east, north, up), m."},
        {"lon_rad", quantity<&V::lon_rad>, "number", "Longitude, east positive."},
        {"lat_rad", quantity<&V::lat_rad>, "number", "Latitude."},
@@ -365,14 +364,14 @@ const HandleType& rover_handle_type() {
         "Adds it, up to what there was at the start, or all that is missing without an amount; "
         "gives how much was added.",
         "fun(self: lsos.rover, name: string, amount?: number): number"},
-       {"place_of", guard<place_of>, "rover:place_of(id)",
+       {"place_of", guard<push_place_of>, "rover:place_of(id)",
         "Position of another rover or an asset; nil when there is none with that id.",
         "fun(self: lsos.rover, id: string): vec3?"},
-       {"sees", guard<sight_of<&PairSight::is_visible>>, "rover:sees(id)",
+       {"sees", guard<push_sight_of<&PairSight::is_visible>>, "rover:sees(id)",
         "Whether its antenna saw that of another rover, of an asset, or 'Earth', when they were "
         "last looked at; nil before.",
         "fun(self: lsos.rover, id: string): boolean?"},
-       {"is_linked_to", guard<sight_of<&PairSight::is_linked>>, "rover:is_linked_to(id)",
+       {"is_linked_to", guard<push_sight_of<&PairSight::is_linked>>, "rover:is_linked_to(id)",
         "The same, within range and with both antennas up.",
         "fun(self: lsos.rover, id: string): boolean?"},
        {"distance_to_m", guard<distance_to_m>, "rover:distance_to_m(point)",

@@ -241,7 +241,7 @@ void read_soil_patch(TableReader& t, SoilPatchScript& script) {
   if (!raster.file.empty()) script.patch.raster = raster;
 }
 
-void read_terrain(TableReader& t, TerrainScript& terrain) {
+void read_terrain_script(TableReader& t, TerrainScript& terrain) {
   t.api_version();
   t.text(required, "doc", terrain.spec.doc, "One sentence that a mission planner understands.");
   std::string& planet = terrain.spec.planet;
@@ -320,21 +320,21 @@ void read_soil(TableReader& t, Soil& soil) {
 }
 
 std::vector<Constructor> terrain_constructors() {
-  return {
-      constructor<TerrainScript, read_terrain>(terrain_kind, "What a script in terrain/ returns."),
-      constructor<PlaneSurface, read_plane>("plane", "Level or tilted ground."),
-      constructor<ReliefSurface, read_relief>("relief", "Ground of landforms at known places."),
-      constructor<Landform, read_landform>("landform", "A crater or a mountain."),
-      constructor<Detail, read_detail>(
-          "detail",
-          "What is finer than the layers: by the plan's Seed, and over a raster what is "
-          "smaller than its cells, so that their means stay."),
-      constructor<CraterPopulation, read_craters>("craters", "Craters at random places."),
-      constructor<RockPopulation, read_rocks>("rocks", "Rocks at random places."),
-      constructor<Roughness, read_roughness>("roughness", "A self-affine surface."),
-      constructor<SoilPatchScript, read_soil_patch>("soil_patch", "Ground of another soil."),
-      constructor<RasterSurface, read_raster>("raster", "Heights from a file."),
-      constructor<Soil, read_soil>(soil_kind, "What a script in terrain/soils/ returns.")};
+  return {constructor<TerrainScript, read_terrain_script>(terrain_kind,
+                                                          "What a script in terrain/ returns."),
+          constructor<PlaneSurface, read_plane>("plane", "Level or tilted ground."),
+          constructor<ReliefSurface, read_relief>("relief", "Ground of landforms at known places."),
+          constructor<Landform, read_landform>("landform", "A crater or a mountain."),
+          constructor<Detail, read_detail>(
+              "detail",
+              "What is finer than the layers: by the plan's Seed, and over a raster what is "
+              "smaller than its cells, so that their means stay."),
+          constructor<CraterPopulation, read_craters>("craters", "Craters at random places."),
+          constructor<RockPopulation, read_rocks>("rocks", "Rocks at random places."),
+          constructor<Roughness, read_roughness>("roughness", "A self-affine surface."),
+          constructor<SoilPatchScript, read_soil_patch>("soil_patch", "Ground of another soil."),
+          constructor<RasterSurface, read_raster>("raster", "Heights from a file."),
+          constructor<Soil, read_soil>(soil_kind, "What a script in terrain/soils/ returns.")};
 }
 
 }  // namespace lsos

@@ -42,7 +42,7 @@ struct BranchOptions : OutcomeOptions {
   CheckpointOptions checkpoints;
 };
 
-void check(const BranchOptions& options) {
+void check_branch(const BranchOptions& options) {
   Faults faults;
   if (options.at.empty()) faults.error({}, "--at: a time or an event of the run is required");
   if (options.output.empty()) faults.error({}, "-o: the folder of the branch is required");
@@ -87,7 +87,7 @@ std::string digest_of(const std::string& folder, const LogReader& log) {
   return is_summary(read_file(folder + "/summary.json").value_or("")) ? log.sha256() : "";
 }
 
-void print(const Faults& faults, bool is_quiet) {
+void print_faults_of_branch(const Faults& faults, bool is_quiet) {
   for (const Fault& fault : faults.sorted()) {
     if (!is_quiet) print_message("{}\n", to_string(fault));
   }
@@ -219,7 +219,7 @@ void leave_trunk(SessionParts& parts, Leave leave, const BranchOptions& options,
 
 int branch_command(const BranchOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
-  check(options);
+  check_branch(options);
   const SimTime every = kept_every(options.checkpoints);
   const LogReader log(options.folder + "/log.gpkg");
   SessionParts parts;
@@ -247,7 +247,7 @@ int branch_command(const BranchOptions& options) {
   }
   parts.folder->settle();
   tell_of_replaced_run(parts.folder->path(), other);
-  print(parts.files.faults, options.is_quiet);
+  print_faults_of_branch(parts.files.faults, options.is_quiet);
   std::map<std::string, std::string> values = run_values(parts.files, *parts.simulation);
   if (const auto renderer = values.find("renderer"); renderer != values.end()) {
     const auto before = trunk.values.find("renderer");

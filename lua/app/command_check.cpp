@@ -49,8 +49,8 @@ struct FsmOptions {
 // Without the -0 that rounding makes.
 double rounded_deg(double angle_deg) { return std::round(angle_deg * 1e6) / 1e6 + 0.0; }
 
-std::string label_of(const Simulation& simulation, const std::string& rover_id,
-                     std::int64_t sequence) {
+std::string event_label(const Simulation& simulation, const std::string& rover_id,
+                        std::int64_t sequence) {
   return std::ranges::find_if(
              simulation.plan().events,
              [&](const PlanEvent& e) { return e.rover_id == rover_id && e.sequence == sequence; })
@@ -61,7 +61,7 @@ std::vector<PlannedLegLine> planned_legs(const Simulation& simulation) {
   std::vector<PlannedLegLine> lines;
   for (const RoverRoutesAhead& routes : simulation.routes_ahead()) {
     const auto label = [&](std::int64_t sequence) {
-      return label_of(simulation, routes.rover_id, sequence);
+      return event_label(simulation, routes.rover_id, sequence);
     };
     for (const PassedWaypoint& passed : routes.passed) {
       PlannedLegLine line{routes.rover_id, label(passed.sequence), passed.sequence,
@@ -89,7 +89,7 @@ std::vector<DrawnEventLine> drawn_lines(const Simulation& simulation) {
   for (const RoverRoutesAhead& routes : simulation.routes_ahead()) {
     for (const DrawnLine& drawn : routes.drawn) {
       lines.push_back(
-          {routes.rover_id, label_of(simulation, routes.rover_id, drawn.sequence), drawn});
+          {routes.rover_id, event_label(simulation, routes.rover_id, drawn.sequence), drawn});
     }
   }
   return lines;

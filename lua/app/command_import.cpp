@@ -7,6 +7,7 @@
 #include "base/console.h"
 #include "base/files.h"
 #include "base/output_file.h"
+#include "base/text.h"
 #include "interchange/imported_plan.h"
 #include "interchange/plan_document.h"
 #include "interchange/source_tables.h"
@@ -40,10 +41,6 @@ void check_options(const ImportOptions& options) {
     faults.error({}, "--remove-missing: is for --onto PLAN.kml, whose Placemarks it removes");
   }
   faults.throw_if_errors();
-}
-
-std::string counted(std::size_t count, const char* noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
 std::string answer_text(const ImportOptions& options, const Plan& plan, const Faults& faults,

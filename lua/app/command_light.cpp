@@ -38,13 +38,11 @@ struct LightOptions {
   int threads = 1;
 };
 
-constexpr double missing = std::numeric_limits<double>::quiet_NaN();
-
 // More moments than this are a slip of the pen.
 constexpr std::int64_t moments_max = 100'000;
 constexpr double least_every_s = 1e-3;  // times are whole microseconds
 
-struct Question {
+struct LightQuestion {
   Instant at;
   Instant from, to;
   SimTime every{};
@@ -95,7 +93,7 @@ Instant read_utc(const char* option, const std::string& text, Faults& faults) {
 }
 
 // Reads the span of time, or adds its faults.
-void read_span(const LightOptions& options, Question& question, Faults& all) {
+void read_span(const LightOptions& options, LightQuestion& question, Faults& all) {
   Faults faults;
   if (!options.at.empty()) {
     faults.error({}, "--at: is for one moment, and --from, --to and --every for many: one of them");
@@ -130,9 +128,9 @@ void read_span(const LightOptions& options, Question& question, Faults& all) {
   all.add(faults.sorted());
 }
 
-Question question_of(const LightOptions& options) {
+LightQuestion light_question(const LightOptions& options) {
   Faults faults;
-  Question question;
+  LightQuestion question;
   const TerrainOptions& terrain = options.terrain;
   if (is_span(options)) {
     read_span(options, question, faults);
@@ -255,7 +253,7 @@ AnswerRow light_at(LightMap& map, Instant at) {
   return answer;
 }
 
-AnswerRow light_times(LightMap& map, const Question& question) {
+AnswerRow light_times(LightMap& map, const LightQuestion& question) {
   const std::vector<SunMoment> moments = sun_moments(question.from, question.to, question.every);
   std::vector<LightTimesProbe> probes;
   for (std::size_t k = 0; k < map.parts(); ++k) {
@@ -295,7 +293,7 @@ AnswerRow light_times(LightMap& map, const Question& question) {
 }
 
 int light_command(const LightOptions& options) {
-  Question question = question_of(options);
+  LightQuestion question = light_question(options);
   const TerrainSource source = terrain_source(options.terrain);
   check_grid(source, question.window, options.terrain.resolution_m);
   if (!question.site) {

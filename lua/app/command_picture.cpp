@@ -35,7 +35,7 @@ struct PictureOptions {
   AnswerStyle style = AnswerStyle::by_output;
 };
 
-void check(const PictureOptions& options) {
+void check_picture(const PictureOptions& options) {
   if (!options.is_movie && options.file.ends_with(".mp4")) {
     throw InputError({}, fmt::format("-o {}: a film is made with --movie", options.file));
   }
@@ -56,7 +56,7 @@ void check(const PictureOptions& options) {
   }
 }
 
-void print(const PictureOptions& options, const AnswerRow& about) {
+void print_about(const PictureOptions& options, const AnswerRow& about) {
   AnswerRow answer{{"file", options.file}};
   answer.update(about);
   print_answer(AnswerRow::array({answer}), options.style);
@@ -86,12 +86,12 @@ int make_film(const PictureOptions& options, const PictureRun& run, const Pictur
   };
   about["times_real_time"] = rate(false);
   about["times_real_time_while_standing"] = rate(true);
-  print(options, about);
+  print_about(options, about);
   return 0;
 }
 
 int picture_command(const PictureOptions& options) {
-  check(options);
+  check_picture(options);
   Faults faults;
   check_output("-o", options.file, {options.is_movie ? ".mp4" : ".png"}, {}, faults);
   faults.throw_if_errors();
@@ -107,7 +107,7 @@ int picture_command(const PictureOptions& options) {
   if (options.is_movie) return make_film(options, run, request, gpu, letters);
   const PictureFrameOut out = picture_of(run, 0, request, gpu, letters);
   write_png(options.file, out.picture.width_px, out.picture.height_px, out.picture.rgb);
-  print(options, out.about);
+  print_about(options, out.about);
   return 0;
 }
 

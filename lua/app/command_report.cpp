@@ -47,7 +47,7 @@ void check_several(const ReportOptions& options, Faults& faults) {
   if (options.is_figure) faults.error({}, "--png: only of one run");
 }
 
-void check(const ReportOptions& options) {
+void check_report(const ReportOptions& options) {
   Faults faults;
   std::vector<std::string> inputs;
   for (const std::string& folder : options.folders) {
@@ -129,7 +129,7 @@ int report_several(const ReportOptions& options) {
 }
 
 int report_command(const ReportOptions& options) {
-  check(options);
+  check_report(options);
   if (options.folders.size() > 1) return report_several(options);
   const std::string& folder = options.folders.front();
   const LogReader log(folder + "/log.gpkg");

@@ -73,7 +73,7 @@ void check_grousers(const RigOptions& options, Faults& faults) {
   }
 }
 
-void check(const RigOptions& options, Faults& faults) {
+void check_rig(const RigOptions& options, Faults& faults) {
   const auto need = [&](const char* option, double value, bool is_good, const char* allowed) {
     if (!is_good) faults.error({}, fmt::format("{} {}: must be {}", option, value, allowed));
   };
@@ -107,7 +107,7 @@ void check(const RigOptions& options, Faults& faults) {
 
 int rig_command(const RigOptions& options) {
   Faults faults;
-  check(options, faults);
+  check_rig(options, faults);
   const std::vector<double> slips = slips_of(options.slips, faults);
   faults.throw_if_errors();
   const Soil soil = find_soil(options.soil);

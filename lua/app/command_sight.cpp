@@ -28,8 +28,6 @@ namespace lsos {
 
 namespace {
 
-constexpr double missing = std::numeric_limits<double>::quiet_NaN();
-
 // Throws InputError where `from` is too far from the site, around which the ground is sampled.
 void check_near_site(const Body& body, const Geodetic& site, const PlaceOption& from) {
   constexpr double reach_rad = 0.1;
@@ -64,7 +62,7 @@ std::optional<Geodetic> on_ground(const Ground& ground, const PlaceOption& asked
 }
 
 // Length of the straight line, and its azimuth and elevation in the sky of `from`.
-AnswerRow line_of(const SiteFrame& site, const Vec3& from_S_m, const Vec3& to_S_m) {
+AnswerRow sight_row(const SiteFrame& site, const Vec3& from_S_m, const Vec3& to_S_m) {
   const Vec3 line_m = to_S_m - from_S_m;
   const double east_m = line_m.dot(site.east_S(from_S_m));
   const double north_m = line_m.dot(site.north_S(from_S_m));
@@ -113,7 +111,7 @@ AnswerRow lines(const Ground& ground, const SightQuestion& question) {
   for (std::size_t k = 0; k < to_S_m.size(); ++k) {
     const Vec3& p_S_m = to_S_m[k];
     AnswerRow line{{"visible", sight.line(from_S_m, p_S_m, {}).is_seen ? 1 : 0}};
-    line.update(line_of(ground.site(), from_S_m, p_S_m));
+    line.update(sight_row(ground.site(), from_S_m, p_S_m));
     add_end(question.to[k], end.between(from_S_m, p_S_m), line);
     answer.push_back(line);
   }

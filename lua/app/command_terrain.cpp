@@ -23,7 +23,7 @@ namespace lsos {
 
 namespace {
 
-struct Question {
+struct TerrainQuestion {
   std::vector<Geodetic> places;
   std::optional<Geodetic> site;
   std::optional<MapWindow> window;
@@ -46,9 +46,9 @@ void check_export(const TerrainOptions& options, Faults& faults) {
 }
 
 // Reads the options. Throws InputError with all faults at once.
-Question question_of(const TerrainOptions& options) {
+TerrainQuestion terrain_question(const TerrainOptions& options) {
   Faults faults;
-  Question question;
+  TerrainQuestion question;
   for (const std::string& text : options.at) {
     if (const auto place = option_place("--at", text, faults)) question.places.push_back(*place);
   }
@@ -71,7 +71,7 @@ AnswerRow degrees_or_null(const std::optional<double>& angle_rad) {
 }
 
 // Adds the ground as wheels meet it: its height, and its normal as east, north and up at the place.
-void add_ground(const Ground& ground, const Geodetic& place, AnswerRow& fields) {
+void add_ground_fields(const Ground& ground, const Geodetic& place, AnswerRow& fields) {
   fields["height_m"] = nullptr;
   fields["normal"] = nullptr;
   fields["surface_slope_deg"] = nullptr;
@@ -102,7 +102,7 @@ AnswerRow point_of(const TerrainSource& source, const Ground& ground, const Geod
   }
   const RasterPoint found = raster.value_or(RasterPoint{});
   fields["raster_height_m"] = or_null(found.height_m);
-  add_ground(ground, place, fields);
+  add_ground_fields(ground, place, fields);
   fields["slope_deg"] = degrees_or_null(found.slope_rad);
   fields["aspect_deg"] = degrees_or_null(found.aspect_rad);
   fields["aspect_grid_deg"] = degrees_or_null(found.aspect_grid_rad);
@@ -119,8 +119,8 @@ AnswerRow point_of(const TerrainSource& source, const Ground& ground, const Geod
   return fields;
 }
 
-AnswerRow exported(const TerrainSource& source, const Ground& ground, const Question& question,
-                   const TerrainOptions& options) {
+AnswerRow exported(const TerrainSource& source, const Ground& ground,
+                   const TerrainQuestion& question, const TerrainOptions& options) {
   const bool is_own_grid = !options.resolution_m;
   const MapGrid grid = map_grid(source, question.window, options.resolution_m);
   std::int64_t cells = 0;  // cells with ground
@@ -142,7 +142,7 @@ AnswerRow exported(const TerrainSource& source, const Ground& ground, const Ques
 }
 
 int terrain_command(const TerrainOptions& options) {
-  Question question = question_of(options);
+  TerrainQuestion question = terrain_question(options);
   const TerrainSource source = terrain_source(options);
   const bool is_export = !options.export_file.empty();
   if (is_export) check_grid(source, question.window, options.resolution_m);

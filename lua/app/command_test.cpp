@@ -49,7 +49,7 @@ nlohmann::json to_json(const ScenarioResult& r) {
           {"wall_s", r.wall_s}};
 }
 
-std::string line_of(const ScenarioResult& r) {
+std::string result_line(const ScenarioResult& r) {
   return to_json(r).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
@@ -69,7 +69,7 @@ Worker start(const std::string& file, const std::string& folder, const TestOptio
   int lines = -1;
   std::optional<ChildProcess> process = ChildProcess::fork(ChildProcess::Pipe::from_child, lines);
   if (process) return {file, std::move(*process)};
-  const auto report = [&](const ScenarioResult& result) { write_all(lines, line_of(result)); };
+  const auto report = [&](const ScenarioResult& result) { write_all(lines, result_line(result)); };
   try {
     run_scenarios(file, options.filter, folder, report);
   } catch (const std::exception& error) {

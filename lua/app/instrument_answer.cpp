@@ -33,7 +33,7 @@ const UnitText* unit_of(std::string_view key) {
 }
 
 // "sub_solar_lon_deg" becomes "sub solar lon".
-std::string label_of(const std::string& key) {
+std::string answer_label(const std::string& key) {
   const UnitText* unit = unit_of(key);
   std::string label = key.substr(0, key.size() - (unit == nullptr ? 0 : unit->suffix.size()));
   std::ranges::replace(label, '_', ' ');
@@ -120,7 +120,7 @@ std::string answer_table(const AnswerRow& rows) {
     }
   }
   std::vector<std::vector<std::string>> columns(1);
-  for (const std::string& key : keys) columns.front().push_back(label_of(key));
+  for (const std::string& key : keys) columns.front().push_back(answer_label(key));
   for (const AnswerRow& row : rows) {
     std::vector<std::string>& column = columns.emplace_back();
     for (const std::string& key : keys) {

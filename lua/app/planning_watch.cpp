@@ -13,7 +13,7 @@ namespace lsos {
 namespace {
 
 // On a terminal one line is drawn over; elsewhere a long search has a line a minute.
-constexpr std::chrono::seconds first_after{2}, redraw_every{1}, line_every{60};
+constexpr std::chrono::seconds first_after{2}, redraw_every{1}, planning_line_every{60};
 
 }  // namespace
 
@@ -57,7 +57,7 @@ void PlanningWatch::watch() {
     const auto begin = std::chrono::steady_clock::now();
     bool is_drawn = false;
     for (auto wait = first_after; !changed_.wait_for(lock, wait, is_other);
-         wait = is_terminal ? redraw_every : line_every) {
+         wait = is_terminal ? redraw_every : planning_line_every) {
       const std::chrono::duration<double> so_far = std::chrono::steady_clock::now() - begin;
       const std::string line = fmt::format("planning {}: {:.0f} s so far", what_, so_far.count());
       is_terminal ? redraw_message(line) : print_message("{}\n", line);

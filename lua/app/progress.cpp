@@ -16,7 +16,7 @@ namespace {
 
 constexpr int bar_width = 30;
 constexpr auto redraw = std::chrono::milliseconds(100);
-constexpr auto line_every = std::chrono::seconds(60);
+constexpr auto progress_line_every = std::chrono::seconds(60);
 
 // "40 s", "12 min", "3 h 20 min": an estimate has no more digits.
 std::string rough_time(double time_s) {
@@ -33,7 +33,7 @@ Progress::Progress(bool is_quiet, double from_s)
 
 bool Progress::is_due() const {
   return !is_quiet_ &&
-         Clock::now() - drawn_ >= (is_terminal_ ? redraw : Clock::duration(line_every));
+         Clock::now() - drawn_ >= (is_terminal_ ? redraw : Clock::duration(progress_line_every));
 }
 
 void Progress::show(double share) {

@@ -42,7 +42,7 @@ std::string not_begun_html(const EventEstimate& event) {
   return fmt::format("<p>It is not expected to begin{}</p>", why);
 }
 
-std::string utc(const Plan& plan, const std::optional<double>& time_s) {
+std::string utc_if_known(const Plan& plan, const std::optional<double>& time_s) {
   return time_s ? format_utc(plan.mission.start_time + from_seconds(*time_s)) : "";
 }
 
@@ -70,8 +70,8 @@ std::string annotated_plan(const MissionFiles& files, const Simulation& simulati
       const EventEstimate& expected = *found->second;
       note.html +=
           expected.start_s ? balloon(expected, plan.mission.start_time) : not_begun_html(expected);
-      note.begin_utc = utc(plan, expected.start_s);
-      note.end_utc = utc(plan, expected.end_s);
+      note.begin_utc = utc_if_known(plan, expected.start_s);
+      note.end_utc = utc_if_known(plan, expected.end_s);
     }
     note.html += warnings_html(warnings[event.place.line]);
     warnings.erase(event.place.line);

@@ -5,13 +5,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/text.h"
+
 namespace lsos {
 
 namespace {
-
-std::string counted(std::size_t count, const char* noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
 
 std::string verdict(const MissionModel& files, std::size_t warnings) {
   const Plan& plan = files.plan;

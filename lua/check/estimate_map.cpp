@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/sim_time.h"
 #include "product/balloon.h"
 #include "product/overlay_icons.h"
 #include "product/rover_track.h"
@@ -11,8 +12,6 @@
 namespace lsos {
 
 namespace {
-
-constexpr double day_s = 86400;
 
 // Colours that differ also for the colour-blind (Okabe and Ito, 2008), as alpha, blue, green, red.
 struct Outcome {
@@ -137,10 +136,11 @@ KmlDocument estimate_map(const Plan& plan, const MissionEstimate& estimate,
   for (const EventEstimate& event : estimate.events) {
     const auto course = courses.find({event.rover_id, event.sequence});
     if (course == courses.end() || !event.start_s || !event.end_s) continue;
-    const int day = 1 + static_cast<int>(*event.end_s / day_s);
+    const int day = 1 + static_cast<int>(*event.end_s / day_length_s);
     KmlFolder& folder = days[day];
     if (folder.folders.empty()) {
-      folder.name = fmt::format("Day {}, {}", day, utc(start, (day - 1) * day_s).substr(0, 10));
+      folder.name =
+          fmt::format("Day {}, {}", day, utc(start, (day - 1) * day_length_s).substr(0, 10));
       folder.folders.emplace_back().name = "Lines by charge";
     }
     KmlPlacemark mark;

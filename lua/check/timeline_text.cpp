@@ -6,12 +6,13 @@
 #include <cmath>
 #include <map>
 
+#include "base/sim_time.h"
 #include "base/utf8.h"
 namespace lsos {
 
 namespace {
 
-constexpr double day_s = 86400, cell_s = 1200;
+constexpr double cell_s = 1200;
 constexpr int cells_a_day = 72, cells_a_label = 9;  // a label each three hours
 
 struct Bar {
@@ -135,9 +136,9 @@ std::string timeline_text(const MissionEstimate& estimate,
   std::vector<std::string> letters;
   for (const Lane& lane : lanes) letters.push_back(letters_of(lane, cells));
   std::string text;
-  const int days = std::max(1, static_cast<int>(std::ceil(estimate.end_s / day_s - 1e-9)));
+  const int days = std::max(1, static_cast<int>(std::ceil(estimate.end_s / day_length_s - 1e-9)));
   for (int day = 0; day < days; ++day) {
-    const double begin_s = day * day_s;
+    const double begin_s = day * day_length_s;
     text += fmt::format("day {}, {}\n", day + 1,
                         format_utc(start + from_seconds(begin_s)).substr(0, 10));
     text +=

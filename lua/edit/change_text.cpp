@@ -22,15 +22,15 @@ std::string title(const ThingKey& key, const SourcePlacemark& thing) {
 }
 
 // "Speed = 5 km/h, was 4 km/h".
-std::string value_text(const std::string& name, const std::string& before,
-                       const std::string& after) {
+std::string changed_value_text(const std::string& name, const std::string& before,
+                               const std::string& after) {
   if (before.empty()) return fmt::format("{} = {}", name, after);
   if (after.empty()) return fmt::format("no {}, was {}", name, before);
   return fmt::format("{} = {}, was {}", name, after, before);
 }
 
 // "0.02,0.004 > 0.012,-0.006"; of more than four points the first and last two.
-std::string place_text(const SourcePlacemark& thing) {
+std::string mark_place_text(const SourcePlacemark& thing) {
   constexpr std::size_t ends = 2;
   if (thing.geometries.empty()) return "";
   std::vector<std::string> tuples = coordinate_tuples(thing.geometries.front().coordinates);
@@ -46,31 +46,33 @@ std::string place_text(const SourcePlacemark& thing) {
 }
 
 // The beginning of a description, on one line.
-std::string words_of(const std::string& description) {
+std::string description_words(const std::string& description) {
   return description.empty() ? "" : quoted(description);
 }
 
 std::vector<std::string> what_changed(const RowChange& change) {
   std::vector<std::string> parts;
   if (change.has_new_type) {
-    parts.push_back(
-        value_text("Type", change.before.data.front().schema, change.after.data.front().schema));
+    parts.push_back(changed_value_text("Type", change.before.data.front().schema,
+                                       change.after.data.front().schema));
   }
   if (change.has_new_name) {
-    parts.push_back(value_text("name", change.before.name, change.after.name));
+    parts.push_back(changed_value_text("name", change.before.name, change.after.name));
   }
   for (const std::string& name : change.fields) {
-    parts.push_back(value_text(name, field_of(change.before, name), field_of(change.after, name)));
+    parts.push_back(
+        changed_value_text(name, field_of(change.before, name), field_of(change.after, name)));
   }
   if (change.has_new_place) {
-    parts.push_back(value_text("place", place_text(change.before), place_text(change.after)));
+    parts.push_back(
+        changed_value_text("place", mark_place_text(change.before), mark_place_text(change.after)));
   }
   if (change.has_new_type && !change.has_new_place && !change.after.geometries.empty()) {
     parts.emplace_back("its place stays");
   }
   if (change.has_new_description) {
-    parts.push_back(value_text("description", words_of(change.before.description),
-                               words_of(change.after.description)));
+    parts.push_back(changed_value_text("description", description_words(change.before.description),
+                                       description_words(change.after.description)));
   }
   return parts;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/sim_time.h"
 #include "lua/host/mission_reader.h"
 #include "mission/mission_estimate.h"
 #include "mission/rover/rover_posture.h"
@@ -13,8 +14,6 @@
 namespace lsos {
 
 namespace {
-
-constexpr SimTime day_length{86'400'000'000};
 
 // What a rover is like beside what a plan says, in words.
 std::vector<std::string> state_of(const RoverAgent& agent, SimTime now) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/quantity.h"
+#include "base/text.h"
 #include "base/units.h"
 #include "edit/editable_file.h"
 #include "edit/enable.h"
@@ -26,11 +27,6 @@
 namespace lsos {
 
 namespace {
-
-template <class Count>
-std::string counted(Count count, const char* one) {
-  return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
-}
 
 std::map<PlanEvent::Reference, SimTime> begins_of(const MissionFiles& files) {
   return expected_begins(synthesise(files.plan, files.catalog->declarations()), files.rover_models);

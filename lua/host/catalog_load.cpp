@@ -50,7 +50,7 @@ std::vector<std::string> names_of(const std::map<std::string, T>& things) {
 }
 
 template <class T>
-std::optional<T> load(LuaState& lua, const Script& script, const char* kind, Faults& faults) {
+std::optional<T> load_as(LuaState& lua, const Script& script, const char* kind, Faults& faults) {
   std::optional<T> value;
   lua.run([&](lua_State* L) {
     if (const ConstructedValue* made = load_script(L, script, kind, faults))
@@ -199,12 +199,12 @@ void Catalog::load_one(EventLibrary& library, const Script& script, Faults& faul
       load_rover_script(library.lua(), script, faults);
       break;
     case ScriptKind::soil:
-      if (auto soil = load<Soil>(library.lua(), script, soil_kind, faults)) {
+      if (auto soil = load_as<Soil>(library.lua(), script, soil_kind, faults)) {
         soils_[script.name] = std::move(*soil);
       }
       break;
     case ScriptKind::terrain:
-      if (auto terrain = load<TerrainScript>(library.lua(), script, terrain_kind, faults)) {
+      if (auto terrain = load_as<TerrainScript>(library.lua(), script, terrain_kind, faults)) {
         complete(*terrain, script, soils_, faults);
         if (!faults.has_errors()) terrains_[script.name] = std::move(terrain->spec);
       }
@@ -278,7 +278,7 @@ RoverModel Catalog::load_variant(const std::string& name, const std::string& cha
   script.source = fmt::format("local lsos = require 'lsos'; return lsos.derive({}, {})",
                               lua_text(name), changes);
   Faults found;
-  std::optional<RoverModel> model = load<RoverModel>(lua, script, rover_kind, found);
+  std::optional<RoverModel> model = load_as<RoverModel>(lua, script, rover_kind, found);
   if (model && !found.has_errors()) check_vehicle(*model, found);
   if (model && !found.has_errors()) model->heights = heights_of(model->spec);
   for (const std::string& doubt : lua.context().doubts) found.warning({}, doubt);
@@ -320,7 +320,7 @@ Soil Catalog::changed_soil(const Soil& soil, const std::string& changes, const s
       lua_table(soil), changes);
   LuaState lua(make_api);
   Faults found;
-  std::optional<Soil> changed = load<Soil>(lua, script, soil_kind, found);
+  std::optional<Soil> changed = load_as<Soil>(lua, script, soil_kind, found);
   std::vector<Fault> reported;
   for (const Fault& fault : found.sorted()) {
     reported.push_back({fault.severity, requested_at, fmt::format("{}: {}", what, fault.what)});

@@ -76,12 +76,12 @@ constexpr std::size_t condition_bytes_max = 4000;
 constexpr double share_of_call = 0.01;  // of a call's budgets, enough for an expression
 
 // Upvalue 1 of the functions: the rover.
-const RoverPort& rover_of(lua_State* L) {
+const RoverPort& condition_rover(lua_State* L) {
   return *static_cast<const RoverPort*>(lua_touserdata(L, lua_upvalueindex(1)));
 }
 
 int distance_to(lua_State* L) {
-  const RoverPort& rover = rover_of(L);
+  const RoverPort& rover = condition_rover(L);
   const std::string id = luaL_checkstring(L, 1);
   const auto p_S_m = rover.place_of_S_m(id);
   if (!p_S_m) throw std::runtime_error(fmt::format("there is no rover or asset '{}'", id));
@@ -90,14 +90,14 @@ int distance_to(lua_State* L) {
 }
 
 template <auto member>
-int sight_of(lua_State* L) {
-  const auto sight = rover_of(L).sight_of(luaL_checkstring(L, 1));
+int condition_sight(lua_State* L) {
+  const auto sight = condition_rover(L).sight_of(luaL_checkstring(L, 1));
   lua_pushboolean(L, sight && (*sight).*member);
   return 1;
 }
 
 int resource(lua_State* L) {
-  auto& rover = const_cast<RoverPort&>(rover_of(L));  // only reads
+  auto& rover = const_cast<RoverPort&>(condition_rover(L));  // only reads
   lua_pushnumber(L, rover.power().resource(luaL_checkstring(L, 1)).value_or(std::nan("")));
   return 1;
 }
@@ -119,8 +119,8 @@ void push_names(lua_State* L, const SampleRow& row, const RoverPort* rover) {
     lua_rawset(L, -3);
   };
   add("distance_to", guard<distance_to>);
-  add("sees", guard<sight_of<&PairSight::is_visible>>);
-  add("is_linked_to", guard<sight_of<&PairSight::is_linked>>);
+  add("sees", guard<condition_sight<&PairSight::is_visible>>);
+  add("is_linked_to", guard<condition_sight<&PairSight::is_linked>>);
   add("resource", guard<resource>);
 }
 

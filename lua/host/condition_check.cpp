@@ -170,7 +170,7 @@ std::string names_fault(lua_State* L, const std::vector<ConditionWord>& words,
 
 // Text of the numeric operand at `at`, alone or in brackets; "" where it is not known to be a
 // number.
-std::string number_at(const std::vector<ConditionWord>& words, std::size_t at) {
+std::string number_operand_at(const std::vector<ConditionWord>& words, std::size_t at) {
   std::size_t brackets = 0;
   bool is_number = false;  // an operand with a minus is a number
   for (; at < words.size() && words[at].kind == ConditionWord::Kind::symbol; ++at) {
@@ -202,7 +202,7 @@ std::string number_at(const std::vector<ConditionWord>& words, std::size_t at) {
 std::string negation_fault(const std::vector<ConditionWord>& words) {
   for (std::size_t i = 0; i + 1 < words.size(); ++i) {
     if (words[i].kind != ConditionWord::Kind::name || words[i].text != "not") continue;
-    const std::string quantity = number_at(words, i + 1);
+    const std::string quantity = number_operand_at(words, i + 1);
     if (quantity.empty()) continue;
     return fmt::format(
         "'not {0}' negates a number, which always counts as true: it is never true; write {0} == "

@@ -11,14 +11,13 @@
 #include <string_view>
 #include <utility>
 
+#include "base/rounding.h"
 #include "lua/host/condition.h"
 #include "record/quantities.h"
 
 namespace lsos {
 
 namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 // Possible values of a quantity.
 Bounds bounds_of(std::string_view quantity) {
@@ -58,26 +57,28 @@ bool is_math(const std::vector<ConditionWord>& words, std::size_t at, std::strin
          is_symbol(words, at + 3, "(") && is_symbol(words, at + 5, ")");
 }
 
-double value_of(const ConditionWord& number) { return std::strtod(number.text.c_str(), nullptr); }
+double number_of_word(const ConditionWord& number) {
+  return std::strtod(number.text.c_str(), nullptr);
+}
 
 bool is_number(const std::vector<ConditionWord>& words, std::size_t at) {
   return at < words.size() && words[at].kind == ConditionWord::Kind::number;
 }
 
 // A number or a product of numbers: 20, math.rad(20), 20 / 3.6, 30 * 3.6e6.
-std::optional<Side> number_at(const std::vector<ConditionWord>& words, std::size_t at) {
+std::optional<Side> compared_number_at(const std::vector<ConditionWord>& words, std::size_t at) {
   Side side;
   if (is_math(words, at, "rad") && is_number(words, at + 4)) {
-    side.number = value_of(words[at + 4]) * std::numbers::pi / 180;
+    side.number = number_of_word(words[at + 4]) * std::numbers::pi / 180;
     side.end = at + 6;
   } else if (is_number(words, at)) {
-    side.number = value_of(words[at]);
+    side.number = number_of_word(words[at]);
     side.end = at + 1;
   } else {
     return {};
   }
   while (is_number(words, side.end + 1)) {
-    const double by = value_of(words[side.end + 1]);
+    const double by = number_of_word(words[side.end + 1]);
     if (is_symbol(words, side.end, "*")) {
       side.number *= by;
     } else if (is_symbol(words, side.end, "/")) {
@@ -109,7 +110,7 @@ std::optional<Side> quantity_at(const std::vector<ConditionWord>& words, std::si
 std::optional<Side> side_at(const std::vector<ConditionWord>& words, std::size_t at) {
   const bool is_negative = is_symbol(words, at, "-");
   if (is_negative) ++at;
-  std::optional<Side> side = number_at(words, at);
+  std::optional<Side> side = compared_number_at(words, at);
   if (!side) side = quantity_at(words, at);
   if (side && is_negative) {
     side->sign = -1;
@@ -146,7 +147,8 @@ bool ends_operand(const ConditionWord& after) {
   return after.text == ")" || after.text == "and" || after.text == "or";
 }
 
-std::optional<Comparison> comparison_at(const std::vector<ConditionWord>& words, std::size_t at) {
+std::optional<SingleComparison> comparison_at(const std::vector<ConditionWord>& words,
+                                              std::size_t at) {
   // An operand of a sum or a product is not compared by itself.
   if (at > 0 && !begins_operand(words[at - 1])) return {};
   std::optional<Side> left = side_at(words, at);
@@ -161,13 +163,13 @@ std::optional<Comparison> comparison_at(const std::vector<ConditionWord>& words,
     std::swap(left, right);
     how = turned_round(how);
   }
-  Comparison c{.quantity = left->quantity,
-               .shown = left->quantity,
-               .how = how,
-               .number = right->number,
-               .bounds = bounds_of(left->quantity),
-               .is_magnitude = left->is_magnitude,
-               .end = end};
+  SingleComparison c{.quantity = left->quantity,
+                     .shown = left->quantity,
+                     .how = how,
+                     .number = right->number,
+                     .bounds = bounds_of(left->quantity),
+                     .is_magnitude = left->is_magnitude,
+                     .end = end};
   if (c.is_magnitude) {
     c.shown = fmt::format("math.abs({})", c.quantity);
     c.bounds = {0, std::max(std::abs(c.bounds.low), std::abs(c.bounds.high))};
@@ -179,8 +181,8 @@ std::optional<Comparison> comparison_at(const std::vector<ConditionWord>& words,
   return c;
 }
 
-std::vector<Comparison> comparisons_of(const std::vector<ConditionWord>& words) {
-  std::vector<Comparison> all;
+std::vector<SingleComparison> comparisons_of(const std::vector<ConditionWord>& words) {
+  std::vector<SingleComparison> all;
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (auto comparison = comparison_at(words, i)) all.push_back(std::move(*comparison));
   }

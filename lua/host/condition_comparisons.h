@@ -16,7 +16,7 @@ struct Bounds {
 };
 
 // A comparison, turned so that the quantity is on the left.
-struct Comparison {
+struct SingleComparison {
   std::string quantity;  // "charge", "distance_to('Base')"
   std::string shown;     // the same, or math.abs of it
   std::string how;       // <, <=, >, >=, == or ~=
@@ -33,8 +33,9 @@ bool ends_operand(const ConditionWord& after);
 
 // The comparison that begins with the word at `at`; none where anything but a single quantity and a
 // single number is compared there.
-std::optional<Comparison> comparison_at(const std::vector<ConditionWord>& words, std::size_t at);
+std::optional<SingleComparison> comparison_at(const std::vector<ConditionWord>& words,
+                                              std::size_t at);
 // All comparisons of a condition.
-std::vector<Comparison> comparisons_of(const std::vector<ConditionWord>& words);
+std::vector<SingleComparison> comparisons_of(const std::vector<ConditionWord>& words);
 
 }  // namespace lsos

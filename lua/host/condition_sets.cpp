@@ -8,13 +8,12 @@
 #include <map>
 #include <utility>
 
+#include "base/rounding.h"
 #include "lua/host/condition_comparisons.h"
 
 namespace lsos {
 
 namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 // A closed interval; an open end is replaced by the next representable number.
 struct Interval {
@@ -96,7 +95,7 @@ std::string opposite(const std::string& how) {
   return how == "==" ? "~=" : "==";
 }
 
-Sets sets_of(const Comparison& c, const std::string& how) {
+Sets sets_of(const SingleComparison& c, const std::string& how) {
   Set set = intersection(values_of(how, c.number), {{c.bounds.low, c.bounds.high}});
   if (c.is_magnitude) {
     Set mirrored;

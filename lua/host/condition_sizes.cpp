@@ -13,9 +13,11 @@ namespace lsos {
 
 namespace {
 
-bool is_outside(const Comparison& c) { return c.number < c.bounds.low || c.number > c.bounds.high; }
+bool is_outside(const SingleComparison& c) {
+  return c.number < c.bounds.low || c.number > c.bounds.high;
+}
 
-bool never_holds(const Comparison& c) {
+bool never_holds(const SingleComparison& c) {
   if (c.how == "<") return c.number <= c.bounds.low;
   if (c.how == ">") return c.number >= c.bounds.high;
   if (c.how == "<=") return c.number < c.bounds.low;
@@ -23,11 +25,11 @@ bool never_holds(const Comparison& c) {
   return c.how == "==" && is_outside(c);
 }
 
-std::string never_text(const Comparison& c, const std::string& why) {
+std::string never_text(const SingleComparison& c, const std::string& why) {
   return fmt::format("'{} {} {:g}' never holds: {}", c.shown, c.how, c.number, why);
 }
 
-std::string bounds_text(const Comparison& c) {
+std::string bounds_text(const SingleComparison& c) {
   if (std::isinf(c.bounds.high)) return fmt::format("{} is {:g} at least", c.shown, c.bounds.low);
   if (std::isinf(c.bounds.low)) return fmt::format("{} is {:g} at most", c.shown, c.bounds.high);
   return fmt::format("{} is from {:.4g} to {:.4g}", c.shown, c.bounds.low, c.bounds.high);
@@ -35,7 +37,7 @@ std::string bounds_text(const Comparison& c) {
 
 // Doubt about an energy that seems to be in kWh or a speed that seems to be in km/h. Only the
 // rover's own capacity and greatest speed distinguish these from SI values.
-std::string scale_fault(const Comparison& c, const ConditionWorld& world) {
+std::string scale_fault(const SingleComparison& c, const ConditionWorld& world) {
   constexpr double overspeed = 1.5, j_per_kwh = 3.6e6, kmh_per_mps = 3.6;
   // Comparisons with 0 or 1 J are for an empty battery.
   if (c.quantity == "energy_j" && world.battery_capacity_j && c.number > 1 &&
@@ -58,7 +60,7 @@ std::string scale_fault(const Comparison& c, const ConditionWorld& world) {
 
 // Doubt about a time that seems to be in hours, judged by its size. `is_alone`: together with
 // another comparison the first seconds of a mission may well be meant.
-std::string hours_doubt(const Comparison& c, bool is_alone) {
+std::string hours_doubt(const SingleComparison& c, bool is_alone) {
   constexpr double hours_max = 25;
   if (c.quantity != "time_s" || c.how == "==" || c.number <= 0 || c.number >= hours_max) return "";
   if (!is_alone) return "";
@@ -69,9 +71,9 @@ std::string hours_doubt(const Comparison& c, bool is_alone) {
 }
 
 // Doubt about a comparison that holds only after the mission's end.
-std::string late_doubt(const Comparison& c, const ConditionWorld& world, bool is_alone) {
+std::string late_doubt(const SingleComparison& c, const ConditionWorld& world, bool is_alone) {
   if (c.quantity != "time_s" || !is_alone || !world.max_duration_s) return "";
-  Comparison within = c;
+  SingleComparison within = c;
   within.bounds = {0, *world.max_duration_s};
   if (!never_holds(within)) return "";
   return never_text(c, fmt::format("MaxDuration is {:g} s", *world.max_duration_s));
@@ -79,7 +81,7 @@ std::string late_doubt(const Comparison& c, const ConditionWorld& world, bool is
 
 // Doubt about a latitude or longitude whose sign seems to be missing: the whole plan lies about its
 // negative.
-std::string sign_doubt(const Comparison& c, const ConditionWorld& world) {
+std::string sign_doubt(const SingleComparison& c, const ConditionWorld& world) {
   constexpr double room_deg = 0.5;
   if (c.is_magnitude || !world.lat_deg) return "";
   const bool is_lat = c.quantity == "lat_deg";
@@ -93,7 +95,7 @@ std::string sign_doubt(const Comparison& c, const ConditionWorld& world) {
   // About the equator, the prime meridian and the date line both signs are near.
   if (low * high <= 0 || high > 180 || low < -180) return "";
   if (-c.number < low || -c.number > high) return "";
-  Comparison there = c;
+  SingleComparison there = c;
   there.bounds = {low, high};
   return fmt::format("'{} {} {:g}' {} holds where this plan is, at {} of {}; did you mean {:g}?",
                      c.shown, c.how, c.number, never_holds(there) ? "never" : "always", c.quantity,
@@ -104,18 +106,18 @@ std::string sign_doubt(const Comparison& c, const ConditionWorld& world) {
 
 // Whether a number is so far out of bounds that another unit was meant, whichever way it is
 // compared.
-bool is_far_outside(const Comparison& c, double share) {
+bool is_far_outside(const SingleComparison& c, double share) {
   const double span = c.bounds.high - c.bounds.low;
   return c.number > c.bounds.high + share * span || c.number < c.bounds.low - share * span;
 }
 
-std::string in_radians(const Comparison& c) {
+std::string in_radians(const SingleComparison& c) {
   return fmt::format("{} is in radians, and is compared with {}: {} deg is math.rad({})", c.shown,
                      c.number, c.number, c.number);
 }
 
 // Fault of a number that can only be a percentage or an angle in degrees.
-std::string fault_of(const Comparison& c) {
+std::string fault_of(const SingleComparison& c) {
   if (c.bounds.high == 1 && c.number >= 2) {
     return fmt::format("{} is 1 at most, and is compared with {}: 80 % is 0.8", c.shown, c.number);
   }
@@ -124,7 +126,7 @@ std::string fault_of(const Comparison& c) {
 }
 
 // Doubt about a comparison that is likely to be a mistake, or that never holds.
-std::string doubt_of(const Comparison& c, const ConditionWorld& world, bool is_alone) {
+std::string doubt_of(const SingleComparison& c, const ConditionWorld& world, bool is_alone) {
   constexpr double angle_share = 0.3, longitude_share = 0.02;
   if (c.quantity.ends_with("_rad") && is_outside(c) &&
       (never_holds(c) || is_far_outside(c, angle_share))) {
@@ -149,7 +151,7 @@ std::string doubt_of(const Comparison& c, const ConditionWorld& world, bool is_a
 }  // namespace
 
 std::string sizes_fault(const std::vector<ConditionWord>& words) {
-  for (const Comparison& comparison : comparisons_of(words)) {
+  for (const SingleComparison& comparison : comparisons_of(words)) {
     if (std::string fault = fault_of(comparison); !fault.empty()) return fault;
   }
   return "";
@@ -158,7 +160,7 @@ std::string sizes_fault(const std::vector<ConditionWord>& words) {
 std::string sizes_doubt(const std::vector<ConditionWord>& words, const ConditionWorld& world) {
   const bool is_alone = std::ranges::none_of(
       words, [](const ConditionWord& word) { return word.text == "and" || word.text == "or"; });
-  for (const Comparison& comparison : comparisons_of(words)) {
+  for (const SingleComparison& comparison : comparisons_of(words)) {
     if (std::string doubt = doubt_of(comparison, world, is_alone); !doubt.empty()) return doubt;
   }
   return "";

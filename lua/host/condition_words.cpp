@@ -7,13 +7,12 @@
 #include <cmath>
 #include <optional>
 
+#include "base/text.h"
 #include "lua/host/condition.h"
 
 namespace lsos {
 
 namespace {
-
-bool is_letter(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
 // Position past the end of the long text [==[ ... ]==] that begins at `at`; absent where none
 // begins.
@@ -51,10 +50,10 @@ std::vector<ConditionWord> condition_words(const std::string& text) {
     } else if (std::isdigit(static_cast<unsigned char>(c)) != 0 ||
                (c == '.' && i + 1 < text.size() &&
                 std::isdigit(static_cast<unsigned char>(text[i + 1])) != 0)) {
-      while (i < text.size() && (is_letter(text[i]) || text[i] == '.')) ++i;
+      while (i < text.size() && (is_name_letter(text[i]) || text[i] == '.')) ++i;
       words.push_back({ConditionWord::Kind::number, text.substr(begin, i - begin)});
-    } else if (is_letter(c)) {
-      while (i < text.size() && is_letter(text[i])) ++i;
+    } else if (is_name_letter(c)) {
+      while (i < text.size() && is_name_letter(text[i])) ++i;
       words.push_back({ConditionWord::Kind::name, text.substr(begin, i - begin)});
     } else {
       ++i;
@@ -77,7 +76,7 @@ const std::string* question_argument(const std::vector<ConditionWord>& words, st
 
 namespace {
 
-std::string number_text(double value) {
+std::string number_literal(double value) {
   return std::isnan(value) ? "not known" : fmt::format("{:.4g}", value);
 }
 
@@ -85,11 +84,11 @@ std::string answer_text(const std::string& question, const std::string& argument
                         const RoverPort& rover) {
   if (question == "resource") {
     auto& port = const_cast<RoverPort&>(rover);  // only reads
-    return number_text(port.power().resource(argument).value_or(std::nan("")));
+    return number_literal(port.power().resource(argument).value_or(std::nan("")));
   }
   if (question == "distance_to") {
     const auto p_S_m = rover.place_of_S_m(argument);
-    return number_text(p_S_m ? (*p_S_m - rover.view().p_S_m).norm() : std::nan(""));
+    return number_literal(p_S_m ? (*p_S_m - rover.view().p_S_m).norm() : std::nan(""));
   }
   const auto sight = rover.sight_of(argument);
   const bool is_so = sight && (question == "sees" ? sight->is_visible : sight->is_linked);
@@ -109,7 +108,7 @@ std::string condition_values(const std::string& text, const SampleRow& row,
       value = answer_text(name, *argument, rover);
       name += fmt::format("('{}')", *argument);
     } else if (const auto quantity = condition_quantity(name, row)) {
-      value = number_text(*quantity);
+      value = number_literal(*quantity);
     } else {
       continue;
     }

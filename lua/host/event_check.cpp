@@ -15,7 +15,7 @@ namespace lsos {
 namespace {
 
 // A condition as a message shows it.
-std::string shortened(const std::string& condition) {
+std::string shortened_condition(const std::string& condition) {
   constexpr std::size_t bytes_max = 300;
   return condition.size() <= bytes_max ? condition : beginning(condition, bytes_max) + " ...";
 }
@@ -88,7 +88,7 @@ void check_events(const Plan& plan, const MissionFiles& files, Faults& faults) {
       if (condition.text.empty()) return;
       const auto told = [&](const std::string& what) {
         return fmt::format("{} '{}': {} = {}: {}", event.type, event.label, name,
-                           shortened(condition.text), what);
+                           shortened_condition(condition.text), what);
       };
       const Place place{event.place.file, condition.line};
       if (const std::string fault = host.condition_fault(condition.text, world); !fault.empty()) {

@@ -22,15 +22,6 @@ namespace lsos {
 
 namespace {
 
-// An event that runs. `table` is a registry reference to { params, geometry, state, ev, rover }.
-struct Instance {
-  const EventScript* script = nullptr;
-  EventArguments arguments;
-  std::optional<RandomStream> random;
-  std::string last_phase;
-  int table = LUA_NOREF;
-};
-
 constexpr std::string_view state_version = "ev.state 1";
 constexpr std::size_t ending_bytes_max = 1000;  // of the text that on_abort returns
 
@@ -52,6 +43,15 @@ class CallScope {
 }  // namespace
 
 struct LuaHost::Impl {
+  // An event that runs. `table` is a registry reference to { params, geometry, state, ev, rover }.
+  struct Instance {
+    const EventScript* script = nullptr;
+    EventArguments arguments;
+    std::optional<RandomStream> random;
+    std::string last_phase;
+    int table = LUA_NOREF;
+  };
+
   EventLibrary library;
   Declarations declarations;
   std::map<ScriptInstance, Instance> instances;
@@ -300,7 +300,7 @@ ResourceChange LuaHost::resource_change(const std::string& type, const EventArgu
 ScriptInstance LuaHost::begin(const std::string& type, const EventArguments& arguments) {
   const auto found = impl_->library.events().find(type);
   LSOS_ASSERT(found != impl_->library.events().end());
-  Instance instance;
+  Impl::Instance instance;
   instance.script = &found->second;
   instance.arguments = arguments;
   impl_->library.run(found->second, [&](lua_State* L) {
@@ -315,7 +315,7 @@ ScriptInstance LuaHost::begin(const std::string& type, const EventArguments& arg
 
 PhaseAnswer LuaHost::run_phase(ScriptInstance id, const std::string& phase_name,
                                PhaseContext& context) {
-  Instance& instance = impl_->at(id);
+  Impl::Instance& instance = impl_->at(id);
   const EventScript& script = *instance.script;
   const std::string where = "phase " + phase_name;
   PhaseAnswer answer;
@@ -345,7 +345,7 @@ PhaseAnswer LuaHost::run_phase(ScriptInstance id, const std::string& phase_name,
 }
 
 std::string LuaHost::run_abort(ScriptInstance id, PhaseContext& context) {
-  Instance& instance = impl_->at(id);
+  Impl::Instance& instance = impl_->at(id);
   std::string state;
   impl_->library.run(*instance.script, [&](lua_State* L) {
     lua_rawgeti(L, LUA_REGISTRYINDEX, instance.script->functions);
@@ -378,7 +378,7 @@ void LuaHost::end(ScriptInstance id) {
 }
 
 std::string LuaHost::save(ScriptInstance id) {
-  Instance& instance = impl_->at(id);
+  Impl::Instance& instance = impl_->at(id);
   std::string bytes;
   impl_->library.run(*instance.script, [&](lua_State* L) {
     try {
@@ -393,7 +393,7 @@ std::string LuaHost::save(ScriptInstance id) {
 }
 
 void LuaHost::restore(ScriptInstance id, const std::string& bytes) {
-  Instance& instance = impl_->at(id);
+  Impl::Instance& instance = impl_->at(id);
   impl_->library.run(*instance.script, [&](lua_State* L) { Impl::read_state(L, instance, bytes); });
 }
 

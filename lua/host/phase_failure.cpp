@@ -8,7 +8,7 @@ namespace lsos {
 
 namespace {
 
-const char* name_of(DriveState::Status status) {
+const char* status_name(DriveState::Status status) {
   switch (status) {
     case DriveState::Status::none:
       return "no drive yet";
@@ -32,7 +32,7 @@ std::string state_text(RoverPort& rover) {
       "deg, "
       "{:.1f} m driven, {}",
       view.p_S_m.x(), view.p_S_m.y(), degrees(view.heading_rad), view.speed_mps,
-      degrees(view.slope_rad), view.distance_m, name_of(rover.drive_state().status));
+      degrees(view.slope_rad), view.distance_m, status_name(rover.drive_state().status));
   if (power.has_battery) text += fmt::format(", charge {:.1f} %", power.charge * 100);
   return text;
 }

@@ -23,12 +23,12 @@ constexpr double heading_off_rad = 0.02;
 constexpr double same_height_m = 1e-3;
 constexpr SimTime gap_least{1'000'000};
 
-std::string value_of(const RunValues& run, const std::string& key) {
+std::string run_value(const RunValues& run, const std::string& key) {
   const auto found = run.find(key);
   return found == run.end() ? "" : found->second;
 }
 
-std::string place_text(const Geodetic& place) {
+std::string geodetic_text(const Geodetic& place) {
   return fmt::format("{:.6f},{:.6f}", lon_deg(place), lat_deg(place));
 }
 
@@ -91,7 +91,7 @@ class EndComparison {
   }
 
   void compare_ground() {
-    const std::string planet = value_of(run_, "planet"), terrain = value_of(run_, "terrain");
+    const std::string planet = run_value(run_, "planet"), terrain = run_value(run_, "terrain");
     if (planet != mission().planet->name) {
       refuse(mission().place, fmt::format("Planet = {}: {} was on {}; take its Planet",
                                           mission().planet->name, folder_, planet));
@@ -104,8 +104,8 @@ class EndComparison {
     }
     const auto ground =
         ground_at(files_.terrain, *mission().planet, site_of(then_), mission().seed);
-    if (ground->hash() == value_of(run_, "terrain_sha256")) return;
-    const std::string seed = value_of(run_, "seed");
+    if (ground->hash() == run_value(run_, "terrain_sha256")) return;
+    const std::string seed = run_value(run_, "seed");
     if (is_soil_alone(*ground)) {
       warn(mission().place,
            fmt::format("{}: its soil is not what it was in {}", files_.terrain.name, folder_));
@@ -123,12 +123,12 @@ class EndComparison {
 
   // Whether the soil differs and, as far as can be seen where rovers stand, nothing else.
   bool is_soil_alone(const Ground& ground) const {
-    bool is_other_soil = value_of(run_, "soil") != files_.terrain.soil.name;
+    bool is_other_soil = run_value(run_, "soil") != files_.terrain.soil.name;
     for (const Script& script : files_.catalog->scripts()) {
       const bool is_soil = script.kind == ScriptKind::soil;
       if (!is_soil && script.kind != ScriptKind::terrain) continue;
       const std::string then =
-          value_of(run_, fmt::format("{}_{}_sha256", is_soil ? "soil" : "terrain", script.name));
+          run_value(run_, fmt::format("{}_{}_sha256", is_soil ? "soil" : "terrain", script.name));
       if (then.empty() || then == script.sha256) continue;
       if (!is_soil) return false;
       is_other_soil = true;
@@ -184,7 +184,7 @@ class EndComparison {
       const bool is_shared = script.kind == ScriptKind::shared && shared.contains(script.name);
       if (!is_rover && !is_shared) continue;
       const std::string key = fmt::format("{}_{}_sha256", is_rover ? "rover" : "lib", script.name);
-      if (value_of(run_, key) == script.sha256 || !refused_.insert(script.file).second) continue;
+      if (run_value(run_, key) == script.sha256 || !refused_.insert(script.file).second) continue;
       refuse({script.file, 0}, fmt::format("it is not what it was when {} was run: restore it, or "
                                            "run {} again",
                                            folder_, folder_));
@@ -196,8 +196,8 @@ class EndComparison {
     if (away_m > place_off_m) {
       warn(rover.place, fmt::format("{}its Placemark at {} is {:.0f} m from {}, where {} left it "
                                     "and it begins",
-                                    subject, place_text(rover.start), away_m,
-                                    place_text(*end.start.place), folder_));
+                                    subject, geodetic_text(rover.start), away_m,
+                                    geodetic_text(*end.start.place), folder_));
     }
     if (rover.heading_rad && std::abs(std::remainder(*rover.heading_rad - *end.start.heading_rad,
                                                      2 * std::numbers::pi)) > heading_off_rad) {

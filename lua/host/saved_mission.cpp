@@ -22,7 +22,7 @@ std::string value(const std::map<std::string, std::string>& values, const std::s
 }
 
 // "event_Route_sha256" is "the event script Route".
-std::string words_of(const std::string& key) {
+std::string key_words(const std::string& key) {
   if (key == "plan_sha256") return "the plan";
   if (key == "from_log_sha256") return "the log of the run with whose end it began";
   if (key == "terrain_sha256") return "the ground (its rasters, or what the terrain script adds)";
@@ -86,9 +86,9 @@ Faults differences(const SavedMission& saved, const std::string& build,
     const std::string after = value(now, key);
     if (before == after || key == "program_version") continue;
     if (key != "renderer") {
-      faults.error(
-          {folder},
-          fmt::format("{} is not what was run: put it back, or run the plan again", words_of(key)));
+      faults.error({folder},
+                   fmt::format("{} is not what was run: put it back, or run the plan again",
+                               key_words(key)));
       continue;
     }
     const std::string text = fmt::format(

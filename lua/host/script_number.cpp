@@ -50,7 +50,7 @@ void push_named(lua_State* L, const std::string& name) {
 }
 
 // The number at a path of the object at the top.
-std::optional<double> number_at(lua_State* L, std::string_view path) {
+std::optional<double> named_number_at(lua_State* L, std::string_view path) {
   luaL_checkstack(L, 100, "keys");
   constexpr int depth_max = 16;
   for (int depth = 0; depth < depth_max; ++depth) {
@@ -88,7 +88,7 @@ std::optional<double> script_number(const Catalog& catalog, const std::string& r
   Faults faults;
   std::optional<double> number;
   lua.run([&](lua_State* L) {
-    if (load_script(L, script, rover_kind, faults) != nullptr) number = number_at(L, key);
+    if (load_script(L, script, rover_kind, faults) != nullptr) number = named_number_at(L, key);
   });
   faults.throw_if_errors();
   return number;

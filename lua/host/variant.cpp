@@ -35,13 +35,13 @@ std::vector<std::string> split(const std::string& text, char separator) {
   return parts;
 }
 
-bool is_name(const std::string& text) {
+bool is_variant_name(const std::string& text) {
   return !text.empty() && std::ranges::all_of(text, [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == ' ' || c == '-';
   });
 }
 
-Parsed<std::string> value_of(const std::string& key, const std::string& text);
+Parsed<std::string> variant_value(const std::string& key, const std::string& text);
 
 // Whether the text is a vector: "0, 0, 1.2", but neither "144,000,000" nor "true, 0, 1".
 bool is_vector(const std::string& text) {
@@ -61,18 +61,18 @@ bool is_vector(const std::string& text) {
 Parsed<std::string> vector_of(const std::string& key, const std::string& text) {
   std::vector<std::string> values;
   for (const std::string& part : split(text, ',')) {
-    Parsed<std::string> value = value_of(key, part);
+    Parsed<std::string> value = variant_value(key, part);
     if (!value) return value;
     values.push_back(*value.value);
   }
   return {fmt::format("lsos.vec3({})", fmt::join(values, ", ")), ""};
 }
 
-Parsed<std::string> value_of(const std::string& key, const std::string& text) {
+Parsed<std::string> variant_value(const std::string& key, const std::string& text) {
   if (is_vector(text)) return vector_of(key, text);
   if (text == "true" || text == "false") return {text, ""};
   if (text.size() >= 2 && text.front() == text.back() && (text[0] == '\'' || text[0] == '"') &&
-      is_name(text.substr(1, text.size() - 2))) {
+      is_variant_name(text.substr(1, text.size() - 2))) {
     return {fmt::format("'{}'", text.substr(1, text.size() - 2)), ""};
   }
   const Unit* own = find_unit(si_unit_of(key));
@@ -88,17 +88,17 @@ Parsed<std::string> value_of(const std::string& key, const std::string& text) {
 }
 
 // Adds the change "a.b = value"; returns its fault or "".
-std::string add(const std::string& change, Node& root) {
+std::string add_change(const std::string& change, Node& root) {
   const std::size_t equals = change.find('=');
   if (equals == std::string::npos) {
     return fmt::format("'{}': KEY = VALUE is wanted, as in {}", change, example);
   }
   const std::vector<std::string> path = split(change.substr(0, equals), '.');
-  if (!std::ranges::all_of(path, is_name)) {
+  if (!std::ranges::all_of(path, is_variant_name)) {
     return fmt::format("'{}': a key is wanted before '=', as in {}", change, example);
   }
   const Parsed<std::string> value =
-      value_of(path.back(), std::string(trimmed(std::string_view(change).substr(equals + 1))));
+      variant_value(path.back(), std::string(trimmed(std::string_view(change).substr(equals + 1))));
   static constexpr const char* fixed[] = {"name", "doc", "api", "assumptions"};
   if (std::ranges::find(fixed, path.front()) != std::end(fixed)) {
     return fmt::format("'{}' is the script's own and cannot be changed", path.front());
@@ -131,7 +131,7 @@ Parsed<std::string> variant_table(const std::string& text) {
   Node root;
   for (const std::string& change : split(text, ';')) {
     if (change.empty()) continue;
-    if (const std::string fault = add(change, root); !fault.empty()) return {{}, fault};
+    if (const std::string fault = add_change(change, root); !fault.empty()) return {{}, fault};
   }
   if (root.parts.empty()) return {{}, fmt::format("changes nothing; {} is an example", example)};
   return {table_text(root), ""};

@@ -24,7 +24,7 @@ int collect(lua_State* L) {
   return 0;
 }
 
-int to_string(lua_State* L) {
+int constructed_text(lua_State* L) {
   lua_pushfstring(L, "lsos.%s", made_at(L, 1).kind.c_str());
   return 1;
 }
@@ -34,12 +34,12 @@ int refuse_access(lua_State* L) {
       fmt::format("what lsos.{} made cannot be looked into", made_at(L, 1).kind));
 }
 
-void push_metatable(lua_State* L) {
+void push_constructed_metatable(lua_State* L) {
   if (lua_rawgetp(L, LUA_REGISTRYINDEX, &metatable_key) != LUA_TNIL) return;
   lua_pop(L, 1);
   lua_newtable(L);
   constexpr luaL_Reg functions[] = {{"__gc", collect},
-                                    {"__tostring", guard<to_string>},
+                                    {"__tostring", guard<constructed_text>},
                                     {"__index", guard<refuse_access>},
                                     {"__newindex", guard<refuse_access>},
                                     {nullptr, nullptr}};
@@ -61,7 +61,7 @@ std::string with_article(const std::string& noun) {
 }  // namespace
 
 void push_constructed(lua_State* L, ConstructedValue made) {
-  push_metatable(L);
+  push_constructed_metatable(L);
   void* memory = lua_newuserdatauv(L, sizeof(ConstructedValue), 1);
   new (memory) ConstructedValue(std::move(made));
   lua_insert(L, -2);

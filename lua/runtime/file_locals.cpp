@@ -8,7 +8,7 @@ namespace {
 
 // Sets the metatable of the table at `index` to the one at the top, or to none for nil; pops it. A
 // '__gc' that was added to the metatable since is hidden from Lua: it would run without a budget.
-void set_metatable(lua_State* L, int index) {
+void set_metatable_of(lua_State* L, int index) {
   if (!lua_istable(L, -1)) {
     lua_setmetatable(L, index);
     return;
@@ -29,7 +29,7 @@ void set_metatable(lua_State* L, int index) {
   lua_settop(L, metatable - 1);
 }
 
-void push_metatable(lua_State* L, int index) {
+void push_metatable_of(lua_State* L, int index) {
   if (lua_getmetatable(L, index) == 0) lua_pushnil(L);
 }
 
@@ -135,13 +135,13 @@ std::string FileLocals::restore_tables(lua_State* L, int kept) const {
     lua_rawgeti(L, kept, known.at);
     if (!is_untouched(L, table, known)) {
       lua_rawgeti(L, kept, known.at + 1);
-      push_metatable(L, table);
+      push_metatable_of(L, table);
       const bool is_same = exact_value(L, -1) == known.metatable;
       if (!is_same || !has_entries_of(L, table, copy, known.count)) {
         note_least(changed, fmt::format("changed '{}', a local of the file", known.name));
         restore_entries(L, table, copy);
         lua_rawgeti(L, kept, known.at + 2);
-        set_metatable(L, table);
+        set_metatable_of(L, table);
       }
     }
     lua_settop(L, kept);

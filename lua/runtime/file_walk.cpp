@@ -14,14 +14,14 @@ namespace lsos {
 namespace {
 
 // Each value is looked at after each call, so that many would make every phase slow.
-constexpr std::size_t values_max = 10'000;
+constexpr std::size_t walked_values_max = 10'000;
 
 // Tables of the engine that hold functions of an event: all of them, its phases, a phase that is
 // another event.
 constexpr int engine_deep = 3;
 
 // Where the function at `index` begins.
-Place place_of(lua_State* L, int index) {
+Place value_place(lua_State* L, int index) {
   lua_Debug ar;
   lua_pushvalue(L, index);
   if (lua_getinfo(L, ">S", &ar) == 0) return {};
@@ -55,7 +55,7 @@ void FileWalk::record(int functions, const Place& place, Faults& faults) {
   lua_pushvalue(L_, functions);
   add_engine_table(engine_deep);
   lua_settop(L_, kept_);
-  for (std::size_t node = 0; node < nodes_.size() && values_ <= values_max; ++node) {
+  for (std::size_t node = 0; node < nodes_.size() && values_ <= walked_values_max; ++node) {
     if (nodes_[node].is_function) {
       visit_function(node);
     } else {
@@ -63,11 +63,11 @@ void FileWalk::record(int functions, const Place& place, Faults& faults) {
     }
     lua_settop(L_, kept_);
   }
-  if (values_ > values_max) {
+  if (values_ > walked_values_max) {
     faults.error(place, fmt::format("event: its functions reach more than {} values in locals of "
                                     "the file; all are looked at after each call, as only ev.state "
                                     "may change",
-                                    values_max));
+                                    walked_values_max));
   } else {
     name_nodes();
     add_hole_fault(faults);
@@ -115,7 +115,7 @@ void FileWalk::visit_function(std::size_t node) {
   lua_rawgeti(L_, kept_, nodes_[node].at);
   const int function = lua_gettop(L_);
   const bool is_iterator = lua_iscfunction(L_, function) != 0;
-  const Place place = place_of(L_, function);
+  const Place place = value_place(L_, function);
   for (int n = 1; const char* name = lua_getupvalue(L_, function, n); ++n) {
     const auto [known, is_new] =
         locals_by_id_.try_emplace(lua_upvalueid(L_, function, n), locals_.size());
@@ -166,7 +166,7 @@ void FileWalk::add_entries(std::size_t node, int table, int copy) {
     if (part != none) nodes_[node].parts.push_back(part);
   };
   lua_Integer numbers = 0, last = 0;
-  for (lua_pushnil(L_); values_ <= values_max && lua_next(L_, table) != 0;) {
+  for (lua_pushnil(L_); values_ <= walked_values_max && lua_next(L_, table) != 0;) {
     ++values_;
     into_.entries_.push_back({exact_value(L_, -2), exact_value(L_, -1)});
     lua_pushvalue(L_, -2);
@@ -180,7 +180,7 @@ void FileWalk::add_entries(std::size_t node, int table, int copy) {
     lua_pushvalue(L_, -1);
     add_part();
   }
-  if (values_ > values_max || numbers == last) return;
+  if (values_ > walked_values_max || numbers == last) return;
   Hole hole{node, 1, last};
   for (; lua_rawgeti(L_, table, hole.absent) != LUA_TNIL; ++hole.absent) lua_pop(L_, 1);
   lua_pop(L_, 1);

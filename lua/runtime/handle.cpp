@@ -43,18 +43,18 @@ int read_key(lua_State* L) {
   return 1;
 }
 
-int refuse_write(lua_State* L) {
+int refuse_handle_write(lua_State* L) {
   const HandleType& type = type_of_closure(L);
   throw std::runtime_error(fmt::format("{} is read-only, '{}' cannot be assigned", type.name,
                                        lua_type(L, 2) == LUA_TSTRING ? key_text(L, 2) : "?"));
 }
 
-int to_string(lua_State* L) {
+int handle_text(lua_State* L) {
   lua_pushstring(L, type_of_closure(L).name);
   return 1;
 }
 
-void push_metatable(lua_State* L, const HandleType& type) {
+void push_handle_metatable(lua_State* L, const HandleType& type) {
   if (lua_rawgetp(L, LUA_REGISTRYINDEX, &type) != LUA_TNIL) return;
   lua_pop(L, 1);
   lua_newtable(L);
@@ -70,10 +70,10 @@ void push_metatable(lua_State* L, const HandleType& type) {
   lua_pushcclosure(L, guard<read_key>, 2);
   lua_setfield(L, -2, "__index");
   lua_pushlightuserdata(L, data);
-  lua_pushcclosure(L, type.write == nullptr ? guard<refuse_write> : type.write, 1);
+  lua_pushcclosure(L, type.write == nullptr ? guard<refuse_handle_write> : type.write, 1);
   lua_setfield(L, -2, "__newindex");
   lua_pushlightuserdata(L, data);
-  lua_pushcclosure(L, guard<to_string>, 1);
+  lua_pushcclosure(L, guard<handle_text>, 1);
   lua_setfield(L, -2, "__tostring");
   lua_pushboolean(L, 0);
   lua_setfield(L, -2, "__metatable");
@@ -97,7 +97,7 @@ void refuse_handle_key(const HandleType& type, const char* key) {
 void push_handle(lua_State* L, const HandleType& type, ScriptInstance instance) {
   auto* id = static_cast<ScriptInstance*>(lua_newuserdatauv(L, sizeof(ScriptInstance), 1));
   *id = instance;
-  push_metatable(L, type);
+  push_handle_metatable(L, type);
   lua_setmetatable(L, -2);
 }
 

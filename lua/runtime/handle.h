@@ -54,6 +54,8 @@ ScriptInstance handle_id(lua_State* L, const HandleType& type);
 // The rover that the handle at argument 1 belongs to: that of the running event, or one of an
 // interactive simulation. Throws as handle_call().
 RoverPort& handle_rover(lua_State* L, const HandleType& type);
+// The same of a handle of rovers.
+inline RoverPort& rover_of(lua_State* L) { return handle_rover(L, rover_handle_type()); }
 
 // The running call that the handle at argument 1 belongs to. Throws std::runtime_error when it is
 // another object, or belongs to an event that is not running now.

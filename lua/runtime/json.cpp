@@ -18,7 +18,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int depth_max = 20;
+constexpr int json_depth_max = 20;
 constexpr std::int64_t instructions_per_value = 20;
 
 // Converts one table for the log. A table may occur in several places, so the size of the result is
@@ -72,7 +72,7 @@ class Writer {
   }
 
   json table(int index, const std::string& path, int depth) {
-    if (depth > depth_max) throw std::runtime_error(fmt::format("{}: nested too deep", path));
+    if (depth > json_depth_max) throw std::runtime_error(fmt::format("{}: nested too deep", path));
     luaL_checkstack(L_, 8, "nested too deep");
     index = lua_absindex(L_, index);
     const auto length = static_cast<lua_Integer>(lua_rawlen(L_, index));

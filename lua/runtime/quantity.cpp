@@ -8,7 +8,7 @@
 
 namespace lsos {
 
-Quantity check_quantity(lua_State* L, int argument) {
+GivenQuantity check_quantity(lua_State* L, int argument) {
   if (lua_type(L, argument) != LUA_TSTRING) return {luaL_checknumber(L, argument), nullptr};
   const std::string text = lua_tostring(L, argument);
   const std::size_t end = text.find_first_not_of("+-.0123456789eE");

@@ -8,13 +8,13 @@
 
 namespace lsos {
 
-struct Quantity {
+struct GivenQuantity {
   double value_si = 0;
   const Unit* unit = nullptr;  // where a text was given
 };
 
 // Reads a number, or a text such as '200 m'. Throws std::runtime_error that states the fault.
-Quantity check_quantity(lua_State* L, int argument);
+GivenQuantity check_quantity(lua_State* L, int argument);
 
 // Reads seconds, 0 to 1e9, from a number or a text such as '20 min'. Throws std::runtime_error that
 // begins with `what`.

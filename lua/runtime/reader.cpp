@@ -49,7 +49,7 @@ std::string type_text(const char* type, const char* key, const Range& range) {
 }
 
 // A text that is wrong, as a message shows it.
-std::string shortened(std::string_view text) {
+std::string shortened_value(std::string_view text) {
   constexpr std::size_t bytes_max = 60;
   return visible_text(beginning(text, bytes_max)) + (text.size() > bytes_max ? "..." : "");
 }
@@ -190,7 +190,7 @@ void TableReader::text(Need need, const char* key, std::optional<std::string>& v
   if (std::string_view(key) == "name") {
     if (!check_name(key, found)) return;
   } else if (!is_utf8(found) || found.find('\0') != std::string::npos) {
-    fault(fmt::format("{} = '{}': a text in UTF-8 is wanted", key, shortened(found)));
+    fault(fmt::format("{} = '{}': a text in UTF-8 is wanted", key, shortened_value(found)));
     return;
   }
   value = std::move(found);
@@ -228,7 +228,7 @@ void TableReader::numbers(Need need, const char* key, std::vector<double>& value
 bool TableReader::check_name(const char* what, std::string_view name) {
   if (is_name(name)) return true;
   fault(fmt::format("{} = '{}': a name is text in UTF-8 without control characters", what,
-                    shortened(name)));
+                    shortened_value(name)));
   return false;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <lua.hpp>
+#include <string_view>
 
 namespace lsos {
 
@@ -16,5 +17,17 @@ void replace_table_functions(lua_State* L);
 void replace_utf8_functions(lua_State* L);
 // The same for the metatable of texts: '10' + 1 parses a number.
 void replace_text_arithmetic(lua_State* L);
+
+// Used in them.
+inline constexpr lua_Integer values_max = 10'000;  // results of one call
+
+inline std::string_view text_argument(lua_State* L, int index) {
+  std::size_t size = 0;
+  const char* text = luaL_checklstring(L, index, &size);
+  return {text, size};
+}
+
+// Calls Lua's own function (upvalue 1) in this frame, so that its messages name the script.
+inline int call_original(lua_State* L) { return lua_tocfunction(L, lua_upvalueindex(1))(L); }
 
 }  // namespace lsos

@@ -19,12 +19,6 @@ constexpr std::int64_t steps_per_instruction = 4;
 
 constexpr std::size_t result_bytes_max = std::size_t{64} << 20;
 
-std::string_view text_argument(lua_State* L, int index) {
-  std::size_t size = 0;
-  const char* text = luaL_checklstring(L, index, &size);
-  return {text, size};
-}
-
 PatternMatcher::Counter charge_steps(lua_State* L) {
   return [L](std::int64_t steps) { charge(L, 1 + steps / steps_per_instruction); };
 }

@@ -17,19 +17,8 @@ namespace {
 
 constexpr double rep_bytes_max = 1 << 20;
 
-constexpr lua_Integer values_max = 10'000;  // results of one call
-
 // Cost of snprintf of a number with all its digits.
 constexpr std::int64_t instructions_per_conversion = 100;
-
-std::string_view text_argument(lua_State* L, int index) {
-  std::size_t size = 0;
-  const char* text = luaL_checklstring(L, index, &size);
-  return {text, size};
-}
-
-// Calls Lua's own function (upvalue 1) in this frame, so that its messages name the script.
-int call_original(lua_State* L) { return lua_tocfunction(L, lua_upvalueindex(1))(L); }
 
 std::size_t text_bytes(lua_State* L, int first) {
   std::size_t bytes = 0;
@@ -53,7 +42,7 @@ int charged_by_arguments(lua_State* L) {
   return call_original(L);
 }
 
-int byte(lua_State* L) {
+int string_byte(lua_State* L) {
   const auto size = static_cast<lua_Integer>(text_argument(L, 1).size());
   const lua_Integer first = luaL_optinteger(L, 2, 1), last = luaL_optinteger(L, 3, first);
   const auto from_begin = [&](lua_Integer i) {
@@ -135,7 +124,7 @@ void wrap(lua_State* L, const luaL_Reg& replacement) {
 void replace_string_functions(lua_State* L) {
   constexpr luaL_Reg replacements[] = {{"rep", guard<rep>},
                                        {"format", guard<format>},
-                                       {"byte", guard<byte>},
+                                       {"byte", guard<string_byte>},
                                        {"upper", guard<charged_by_results>},
                                        {"lower", guard<charged_by_results>},
                                        {"reverse", guard<charged_by_results>},

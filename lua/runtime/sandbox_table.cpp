@@ -16,7 +16,6 @@ namespace lsos {
 namespace {
 
 constexpr lua_Integer elements_max = 10'000'000;
-constexpr lua_Integer values_max = 10'000;  // results of one call
 
 // Refuses tables whose metatable could report an endless length.
 void check_plain_table(lua_State* L, int index) {
@@ -27,8 +26,6 @@ void check_plain_table(lua_State* L, int index) {
         fmt::format("table functions take plain tables, not one with '{}'", name));
   }
 }
-
-int call_original(lua_State* L) { return lua_tocfunction(L, lua_upvalueindex(1))(L); }
 
 // insert and remove, charged by the elements that they move.
 int shifting(lua_State* L) {

@@ -12,9 +12,6 @@ namespace lsos {
 namespace {
 
 constexpr std::size_t bytes_per_instruction = 4;
-constexpr lua_Integer values_max = 10'000;  // results of one call
-
-int call_original(lua_State* L) { return lua_tocfunction(L, lua_upvalueindex(1))(L); }
 
 void charge_characters(lua_State* L, std::size_t bytes) {
   charge(L, static_cast<std::int64_t>(bytes / bytes_per_instruction));

@@ -17,7 +17,7 @@ namespace {
 constexpr const char* results_key = "lsos.shared scripts";
 constexpr std::string_view prefix = "lib/";
 
-[[noreturn]] void refuse(const std::string& name, const std::string& why) {
+[[noreturn]] void refuse_shared(const std::string& name, const std::string& why) {
   throw std::runtime_error(fmt::format("require '{}': {}", name, why));
 }
 
@@ -30,7 +30,7 @@ const Script& find_script(const LuaContext& ctx, const std::string& name) {
     }
     names.push_back(std::string(prefix) + script.name);
   }
-  refuse(name, "there is no such script" + did_you_mean(name, names));
+  refuse_shared(name, "there is no such script" + did_you_mean(name, names));
 }
 
 }  // namespace
@@ -38,10 +38,10 @@ const Script& find_script(const LuaContext& ctx, const std::string& name) {
 void push_shared_script(lua_State* L, const std::string& name) {
   LuaContext& ctx = context(L);
   if (!name.starts_with(prefix)) {
-    refuse(name, "'lsos' and scripts of lib/ ('lib/NAME') can be required");
+    refuse_shared(name, "'lsos' and scripts of lib/ ('lib/NAME') can be required");
   }
   if (ctx.load_faults == nullptr || ctx.scripts == nullptr) {
-    refuse(name, "only at the head of a script in events/, rovers/ or terrain/");
+    refuse_shared(name, "only at the head of a script in events/, rovers/ or terrain/");
   }
   const Script& script = find_script(ctx, name);
   ctx.required.insert(script.name);
@@ -49,12 +49,13 @@ void push_shared_script(lua_State* L, const std::string& name) {
   const int results = lua_gettop(L);
   if (lua_getfield(L, results, name.c_str()) == LUA_TNIL) {
     lua_pop(L, 1);
-    if (std::ranges::count(ctx.requiring, name) > 0) refuse(name, "it requires itself");
+    if (std::ranges::count(ctx.requiring, name) > 0) refuse_shared(name, "it requires itself");
     ctx.requiring.push_back(name);
     run_within(L, script);
     ctx.requiring.pop_back();
     if (!lua_istable(L, -1)) {
-      refuse(name, fmt::format("{} must return a table, found {}", script.file, describe(L, -1)));
+      refuse_shared(name,
+                    fmt::format("{} must return a table, found {}", script.file, describe(L, -1)));
     }
     make_read_only(L, name.c_str(), Maker::script);
     lua_pushvalue(L, -1);

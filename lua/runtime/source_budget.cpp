@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
+#include "base/text.h"
+
 namespace lsos {
 
 namespace {
 
-bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
-bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 bool is_line_end(char c) { return c == '\n' || c == '\r'; }
 
 template <std::size_t count>
@@ -35,7 +35,7 @@ class Tokens {
   bool next() {
     if (!skip_space()) return false;
     const char c = text_[at_];
-    if (is_word(c) || (c == '.' && is_digit(ahead(1)))) return take_word();
+    if (is_name_letter(c) || (c == '.' && is_digit(ahead(1)))) return take_word();
     kind = Kind::text;
     if (c == '"' || c == '\'') return skip_quoted(c);
     if (c == '[' && (ahead(1) == '[' || ahead(1) == '=')) return skip_long();
@@ -77,7 +77,8 @@ class Tokens {
   bool take_word() {
     const std::size_t begin = at_;
     const bool is_number = !std::isalpha(static_cast<unsigned char>(text_[at_])) && ahead(0) != '_';
-    while (at_ < text_.size() && (is_word(text_[at_]) || (is_number && text_[at_] == '.'))) ++at_;
+    while (at_ < text_.size() && (is_name_letter(text_[at_]) || (is_number && text_[at_] == '.')))
+      ++at_;
     kind = Kind::word;
     token = text_.substr(begin, at_ - begin);
     return true;

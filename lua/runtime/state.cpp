@@ -87,7 +87,7 @@ void note_memory_spent(lua_State* L) {
 namespace {
 
 // A message cut to a readable length.
-std::string shortened(const std::string& message) {
+std::string shortened_message(const std::string& message) {
   constexpr std::size_t bytes_max = 4000;
   return message.size() <= bytes_max ? message : beginning(message, bytes_max) + "...";
 }
@@ -103,7 +103,7 @@ bool has_place(std::string_view message) {
 
 // Message handler. An error may lack a place: its value is no text, or C code called C code.
 int keep_traceback(lua_State* L) {
-  std::string message = shortened(error_text(L, 1));
+  std::string message = shortened_message(error_text(L, 1));
   if (!has_place(message)) {
     char place[160];
     write_place(L, place, sizeof place);
@@ -346,7 +346,7 @@ int definition_line(lua_State* L) {
 }
 
 void raise_error(lua_State* L, const std::string& whole) {
-  const std::string message = shortened(whole);
+  const std::string message = shortened_message(whole);
   luaL_where(L, 1);
   const bool says_where = message.starts_with(lua_tostring(L, -1));  // has its place already
   lua_pushlstring(L, message.data(), message.size());

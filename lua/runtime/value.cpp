@@ -14,7 +14,7 @@ namespace lsos {
 
 namespace {
 
-constexpr int depth_max = 100;
+constexpr int value_depth_max = 100;
 
 enum class Tag : std::uint8_t { nil, no, yes, integer, number, text, vec3, table };
 constexpr Tag last_value(Tag) { return Tag::table; }
@@ -99,8 +99,9 @@ class Saver {
   }
 
   void check_table(int index, const Path& path, int depth) {
-    if (depth > depth_max) {
-      throw std::runtime_error(fmt::format("{}: nested deeper than {}", path.text(), depth_max));
+    if (depth > value_depth_max) {
+      throw std::runtime_error(
+          fmt::format("{}: nested deeper than {}", path.text(), value_depth_max));
     }
     const void* table = lua_topointer(L_, index);
     if (!seen_.insert(table).second) fail_twice(path, table);
@@ -242,7 +243,7 @@ class Saver {
 void restore_value(lua_State* L, Archive& archive, int depth);
 
 void restore_table(lua_State* L, Archive& archive, int depth) {
-  if (depth > depth_max) archive.refuse("saved ev.state is nested too deep");
+  if (depth > value_depth_max) archive.refuse("saved ev.state is nested too deep");
   luaL_checkstack(L, 6, "nested too deep");
   std::int64_t length = 0;
   archive(length);

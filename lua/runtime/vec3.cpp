@@ -48,7 +48,7 @@ int equal(lua_State* L) {
   return 1;
 }
 
-int text(lua_State* L) {
+int vec3_text(lua_State* L) {
   const Vec3 v = check_vec3(L, 1);
   lua_pushstring(L, fmt::format("({}, {}, {})", v.x(), v.y(), v.z()).c_str());
   return 1;
@@ -74,12 +74,17 @@ int refuse_key(lua_State* L) {
       fmt::format("a vec3 has x, y, z and no other keys, '{}' cannot be set", key_text(L, 2)));
 }
 
-void push_metatable(lua_State* L) {
+void push_vec3_metatable(lua_State* L) {
   if (luaL_newmetatable(L, metatable_name) == 0) return;
-  constexpr luaL_Reg functions[] = {
-      {"__add", guard<add>},       {"__sub", guard<subtract>},        {"__unm", guard<negate>},
-      {"__mul", guard<multiply>},  {"__div", guard<divide>},          {"__eq", guard<equal>},
-      {"__tostring", guard<text>}, {"__newindex", guard<refuse_key>}, {nullptr, nullptr}};
+  constexpr luaL_Reg functions[] = {{"__add", guard<add>},
+                                    {"__sub", guard<subtract>},
+                                    {"__unm", guard<negate>},
+                                    {"__mul", guard<multiply>},
+                                    {"__div", guard<divide>},
+                                    {"__eq", guard<equal>},
+                                    {"__tostring", guard<vec3_text>},
+                                    {"__newindex", guard<refuse_key>},
+                                    {nullptr, nullptr}};
   luaL_setfuncs(L, functions, 0);
   constexpr luaL_Reg methods[] = {
       {"length", guard<length>}, {"dot", guard<dot>}, {"cross", guard<cross>}, {nullptr, nullptr}};
@@ -100,7 +105,7 @@ void push_vec3(lua_State* L, const Vec3& v) {
   lua_setfield(L, -2, "y");
   lua_pushnumber(L, v.z());
   lua_setfield(L, -2, "z");
-  push_metatable(L);
+  push_vec3_metatable(L);
   lua_setmetatable(L, -2);
 }
 

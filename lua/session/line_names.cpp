@@ -5,14 +5,14 @@
 #include <regex>
 #include <string_view>
 
+#include "base/text.h"
+
 namespace lsos {
 
 namespace {
 
 // Longest line that is read, bytes.
 constexpr std::size_t read_max = 2000;
-
-bool is_letter(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
 // Whether a member of a vec3 has the unit of the vec3.
 bool is_of_a_vec3(const std::string& member) {
@@ -26,7 +26,7 @@ class LineReader {
 
   std::vector<std::string> value_names() {
     std::vector<std::string> names;
-    if (rest_.starts_with("return") && rest_.size() > 6 && !is_letter(rest_[6])) {
+    if (rest_.starts_with("return") && rest_.size() > 6 && !is_name_letter(rest_[6])) {
       rest_.remove_prefix(6);
     }
     do {
@@ -63,7 +63,7 @@ class LineReader {
   std::string take_word() {
     skip_blanks();
     std::size_t size = 0;
-    while (size < rest_.size() && is_letter(rest_[size])) ++size;
+    while (size < rest_.size() && is_name_letter(rest_[size])) ++size;
     std::string word(rest_.substr(0, size));
     rest_.remove_prefix(size);
     return word;
@@ -83,7 +83,7 @@ class LineReader {
     const char c = next();
     if (c == '\'' || c == '"') {
       take_text();
-    } else if (is_letter(c)) {
+    } else if (is_name_letter(c)) {
       take_word();
     } else {
       rest_.remove_prefix(1);

@@ -10,7 +10,7 @@ namespace lsos {
 
 namespace {
 
-constexpr const char* text = R"(-- Run it with: lsos-host sweep {file}
+constexpr const char* study_script_text = R"(-- Run it with: lsos-host sweep {file}
 -- 'lsos-host sweep --dry-run' lists the cases and says how long they take. Which fields the plan's
 -- events have: 'lsos-host list events'; which values studies can vary and gather: lua/README.md.
 local lsos = require 'lsos'
@@ -68,7 +68,7 @@ std::string gather_text(const PlanRover& rover, const MissionModel& mission) {
 std::string new_study_text(const MissionModel& mission, const std::string& plan_file) {
   const PlanRover& rover = mission.plan.rovers.front();
   const std::string name = std::filesystem::path(plan_file).stem().string();
-  return fmt::format(fmt::runtime(text), fmt::arg("file", name + "_study.lua"),
+  return fmt::format(fmt::runtime(study_script_text), fmt::arg("file", name + "_study.lua"),
                      fmt::arg("name", name), fmt::arg("plan", lua_text(plan_file)),
                      fmt::arg("varied", vary_text(rover, mission)),
                      fmt::arg("gathered", gather_text(rover, mission)));

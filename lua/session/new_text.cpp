@@ -58,7 +58,7 @@ lsos.scenario('NAME takes as long as it says', function(t)
 end)
 )";
 
-constexpr const char* rover_text =
+constexpr const char* rover_template =
     R"(-- Say here in which numbers it differs from BASE, and where these are from.
 
 local lsos = require 'lsos'
@@ -173,7 +173,7 @@ std::string new_event_scenario_text(const std::string& name) {
 }
 
 std::string new_rover_text(const std::string& name, const std::string& base, double mass_kg) {
-  return filled_in(rover_text,
+  return filled_in(rover_template,
                    {{"NAME", name}, {"BASE", base}, {"MASS", fmt::format("{:g}", mass_kg)}});
 }
 

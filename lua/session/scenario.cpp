@@ -14,7 +14,7 @@ namespace lsos {
 
 namespace {
 
-constexpr int depth_max = 16;  // of tables that are compared
+constexpr int scenario_depth_max = 16;  // of tables that are compared
 
 // Equality by value: tables are equal when all their entries are.
 bool are_equal(lua_State* L, int a, int b, int depth = 0) {
@@ -22,7 +22,7 @@ bool are_equal(lua_State* L, int a, int b, int depth = 0) {
   a = lua_absindex(L, a);
   b = lua_absindex(L, b);
   if (lua_compare(L, a, b, LUA_OPEQ) != 0) return true;
-  if (!lua_istable(L, a) || !lua_istable(L, b) || depth >= depth_max) return false;
+  if (!lua_istable(L, a) || !lua_istable(L, b) || depth >= scenario_depth_max) return false;
   const auto holds = [&](int all, int of) {
     for (lua_pushnil(L); lua_next(L, all) != 0; lua_pop(L, 1)) {
       lua_pushvalue(L, -2);
@@ -82,7 +82,7 @@ int expect_true(lua_State* L) {
 int expect_near(lua_State* L) {
   handle_id(L, scenario_handle_type());
   lua_settop(L, 5);
-  const Quantity wanted = check_quantity(L, 3), within = check_quantity(L, 4);
+  const GivenQuantity wanted = check_quantity(L, 3), within = check_quantity(L, 4);
   if (wanted.unit != nullptr && within.unit != nullptr && wanted.unit->kind != within.unit->kind) {
     throw std::runtime_error(fmt::format("t:near: '{}' is a {}, '{}' a {}", wanted.unit->symbol,
                                          wanted.unit->kind, within.unit->symbol,

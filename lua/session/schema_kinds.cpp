@@ -6,13 +6,13 @@
 #include <cmath>
 #include <limits>
 
+#include "base/rounding.h"
 #include "plan/field_reader.h"
 
 namespace lsos {
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr const char* rover_id = "A";
 constexpr const char* asset_id = "Base";
 

@@ -20,7 +20,7 @@ namespace lsos {
 
 namespace {
 
-constexpr int depth_max = 16;  // of nested tables that are shown
+constexpr int shown_depth_max = 16;  // of nested tables that are shown
 
 bool has_text_of_its_own(lua_State* L, int index) {
   if (luaL_getmetafield(L, index, "__tostring") == LUA_TNIL) return false;
@@ -72,7 +72,7 @@ std::string tostring_text(lua_State* L, int index) {
   return text;
 }
 
-std::string number_text(lua_State* L, int index) {
+std::string shown_number(lua_State* L, int index) {
   return lua_isinteger(L, index) == 0 ? fmt::format("{:.9g}", lua_tonumber(L, index))
                                       : tostring_text(L, index);
 }
@@ -80,7 +80,7 @@ std::string number_text(lua_State* L, int index) {
 // A number, vec3, text or object, with the unit in its name: "1.97 m/s" for speed_mps.
 std::string quantity_text(lua_State* L, int index, const std::string& name) {
   const std::string symbol = unit_of(name), unit = symbol.empty() ? "" : " " + symbol;
-  if (lua_type(L, index) == LUA_TNUMBER) return number_text(L, index) + unit;
+  if (lua_type(L, index) == LUA_TNUMBER) return shown_number(L, index) + unit;
   if (const std::optional<Vec3> v = to_vec3(L, index)) {
     return fmt::format("({:.9g}, {:.9g}, {:.9g}){}", v->x(), v->y(), v->z(), unit);
   }
@@ -93,7 +93,7 @@ std::string written(lua_State* L, int index, Units units, const std::string& nam
                     std::size_t bytes, int depth = 0) {
   luaL_checkstack(L, 12, "tables in tables");
   index = lua_absindex(L, index);
-  if (!lua_istable(L, index) || depth >= depth_max || has_text_of_its_own(L, index)) {
+  if (!lua_istable(L, index) || depth >= shown_depth_max || has_text_of_its_own(L, index)) {
     const std::string text =
         units == Units::shown ? quantity_text(L, index, name) : tostring_text(L, index);
     return lua_type(L, index) == LUA_TSTRING ? "'" + text + "'" : text;

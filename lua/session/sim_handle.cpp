@@ -66,7 +66,7 @@ int save(lua_State* L) {
   return 0;
 }
 
-int load(lua_State* L) {
+int load_saved(lua_State* L) {
   const std::string file = luaL_checkstring(L, 2);
   FileBounds bounds;
   bounds.may_be_pipe = true;
@@ -149,7 +149,7 @@ const HandleType& sim_handle_type() {
         "fun(self: lsos.sim, rover_id: string, type: string, fields?: table): integer"},
        {"save", guard<save>, "sim:save(file)", "Writes all of its state.",
         "fun(self: lsos.sim, file: string)"},
-       {"load", guard<load>, "sim:load(file)", "Goes back to it. The log begins anew there.",
+       {"load", guard<load_saved>, "sim:load(file)", "Goes back to it. The log begins anew there.",
         "fun(self: lsos.sim, file: string)"},
        {"reload", guard<reload>, "sim:reload()",
         "Reads event scripts anew: what has changed is called from the next phase on.",

@@ -12,6 +12,7 @@
 #include "lua/api/api.h"
 #include "lua/host/condition.h"
 #include "lua/runtime/state.h"
+#include "lua/study/gathering_check.h"
 #include "product/study/case_series.h"
 #include "record/log.h"
 
@@ -21,12 +22,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 using Take = Gathering::Take;
-
-std::vector<std::string> rover_ids(const Plan& plan) {
-  std::vector<std::string> ids;
-  for (const PlanRover& rover : plan.rovers) ids.push_back(rover.id);
-  return ids;
-}
 
 // A value that is wanted at one time of a rover.
 struct Probe {

@@ -24,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-std::string text_of(const Draw::Value& value) {
+std::string draw_text(const Draw::Value& value) {
   if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
   if (const auto* text = std::get_if<std::string>(&value)) return *text;
   if (const auto* whole = std::get_if<std::int64_t>(&value)) return fmt::format("{}", *whole);
@@ -47,7 +47,7 @@ CheckedCase checked(const StudyFiles& files, const Sampler& sampler, std::int64_
   return checked;
 }
 
-Json json_of(const CheckedCase& checked) {
+Json checked_json(const CheckedCase& checked) {
   Json values = Json::object();
   for (const Draw& drawn : checked.draws) {
     for (const auto& [name, value] : drawn.values) {
@@ -63,7 +63,7 @@ void print_case(const CheckedCase& checked) {
   std::string line = fmt::format("case {}:", checked.number);
   for (const Draw& drawn : checked.draws) {
     for (const auto& [name, value] : drawn.values) {
-      line += fmt::format(" {} = {};", name, text_of(value));
+      line += fmt::format(" {} = {};", name, draw_text(value));
     }
   }
   if (line.back() == ';') line.pop_back();
@@ -102,7 +102,7 @@ int dry_run(const StudyFiles& files, const std::vector<std::int64_t>& numbers, s
   for (const std::int64_t number : numbers) {
     const CheckedCase one = checked(files, sampler, number);
     if (options.is_json) {
-      cases.push_back(json_of(one));
+      cases.push_back(checked_json(one));
     } else {
       print_case(one);
     }

@@ -25,12 +25,6 @@ std::vector<std::string> quantity_names() {
   return names;
 }
 
-std::vector<std::string> rover_ids(const Plan& plan) {
-  std::vector<std::string> ids;
-  for (const PlanRover& rover : plan.rovers) ids.push_back(rover.id);
-  return ids;
-}
-
 // Checks one gathering, and says what it lacks.
 class GatheringCheck {
  public:
@@ -148,6 +142,12 @@ class GatheringCheck {
 };
 
 }  // namespace
+
+std::vector<std::string> rover_ids(const Plan& plan) {
+  std::vector<std::string> ids;
+  for (const PlanRover& rover : plan.rovers) ids.push_back(rover.id);
+  return ids;
+}
 
 void check_gatherings(const MissionFiles& mission, Study& study, Faults& faults) {
   std::map<std::string, Place> known;

@@ -9,4 +9,7 @@ namespace lsos {
 // Checks what is to be gathered; events become ROVER/SEQUENCE, and each gathering gets a name.
 void check_gatherings(const MissionFiles& mission, Study& study, Faults& faults);
 
+// Ids of the plan's rovers, in its order.
+std::vector<std::string> rover_ids(const Plan& plan);
+
 }  // namespace lsos

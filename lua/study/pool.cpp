@@ -13,10 +13,10 @@ namespace lsos {
 
 namespace {
 
-std::atomic<int> stop_signal{0};
+std::atomic<int> noted_signal{0};
 
 void note_stop(int signal) {
-  stop_signal = signal;
+  noted_signal = signal;
   std::signal(signal, SIG_DFL);  // a second one ends the program at once
 }
 
@@ -64,7 +64,7 @@ int Pool::run(const std::vector<std::int64_t>& numbers, const Ended& on_end,
   bool is_stopping = false;
   const auto has_next = [&] { return next < numbers.size() && numbers[next] <= last_; };
   while (!children_.empty() || (has_next() && !is_stopping)) {
-    if (stop_signal != 0 && !is_stopping) {
+    if (noted_signal != 0 && !is_stopping) {
       is_stopping = true;
       for (const auto& [number, child] : children_) child.send(SIGTERM);
     }
@@ -82,7 +82,7 @@ int Pool::run(const std::vector<std::int64_t>& numbers, const Ended& on_end,
     const timespec turn{0, 50'000'000};
     nanosleep(&turn, nullptr);
   }
-  return stop_signal;
+  return noted_signal;
 }
 
 }  // namespace lsos

@@ -26,7 +26,7 @@ bool is_part_of_grid(const StudyFiles& files) {
   return files.cases != grid_size(dimensions);
 }
 
-void add_ground(const StudyFiles& files, StudyPageRequest& request) {
+void add_study_ground(const StudyFiles& files, StudyPageRequest& request) {
   const Plan& plan = files.base.plan;
   try {
     request.ground =
@@ -64,7 +64,7 @@ StudyPageRequest study_page_request(const StudyFiles& files, const std::string& 
     return parameter.name() == "MissionInfo.StartTime";
   });
   request.plan = files.base.plan;
-  if (has_ground) add_ground(files, request);
+  if (has_ground) add_study_ground(files, request);
   return request;
 }
 

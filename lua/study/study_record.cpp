@@ -32,12 +32,12 @@ bool has_raster(const TerrainSpec& terrain) {
                              [](const SoilPatch& patch) { return patch.raster.has_value(); });
 }
 
-std::string text_of(const Variation& variation) {
+std::string setting_text(const Variation& variation) {
   return fmt::format("{}{} {}", variation.is_factor ? "factor " : "", to_string(variation.form),
                      fmt::join(variation.values, ", "));
 }
 
-std::string text_of(const Gathering& gathering) {
+std::string setting_text(const Gathering& gathering) {
   return fmt::format("{} {} {} {} {} {}", static_cast<int>(gathering.take), gathering.rover,
                      gathering.event, gathering.quantity, gathering.condition, gathering.path);
 }
@@ -51,10 +51,11 @@ Parts parts_of(const StudyFiles& files) {
               {"interval_s of the study", fmt::format("{}", files.interval_s)}};
   for (const auto& [name, digest] : files.scripts) parts[name] = digest;
   for (const Parameter& parameter : files.parameters) {
-    parts[fmt::format("vary '{}' of the study", parameter.name())] = text_of(parameter.variation);
+    parts[fmt::format("vary '{}' of the study", parameter.name())] =
+        setting_text(parameter.variation);
   }
   for (const Gathering& gathering : study.gathered) {
-    parts[fmt::format("gather '{}' of the study", gathering.name)] = text_of(gathering);
+    parts[fmt::format("gather '{}' of the study", gathering.name)] = setting_text(gathering);
   }
   if (study.sampling == Sampling::latin_hypercube) {
     parts["cases of the study, which are another Latin hypercube"] = fmt::format("{}", files.cases);
@@ -69,7 +70,7 @@ Parts parts_of(const StudyFiles& files) {
 }
 
 // "rover_SEV_sha256" as people say it.
-std::string shown(const std::string& part) {
+std::string shown_part(const std::string& part) {
   constexpr std::string_view ending = "_sha256";
   if (!part.ends_with(ending)) return part;
   std::string name = part.substr(0, part.size() - ending.size());
@@ -78,7 +79,7 @@ std::string shown(const std::string& part) {
   return "the script of " + name;
 }
 
-Json json_of(const StudyFiles& files, const Parts& parts) {
+Json parts_json(const StudyFiles& files, const Parts& parts) {
   Json varied = Json::array();
   for (const Parameter& parameter : files.parameters) varied.push_back(parameter.name());
   return {{"program", "lsos-host"},
@@ -119,10 +120,10 @@ void refuse_changes(const Json& record, const Parts& parts, const std::string& f
   std::vector<std::string> changed;
   for (const auto& [name, digest] : parts) {
     const auto known = before.find(name);
-    if (known == before.end() || known->second != digest) changed.push_back(shown(name));
+    if (known == before.end() || known->second != digest) changed.push_back(shown_part(name));
   }
   for (const auto& [name, digest] : before) {
-    if (!parts.contains(name)) changed.push_back(shown(name));
+    if (!parts.contains(name)) changed.push_back(shown_part(name));
   }
   if (changed.empty()) return;
   throw InputError({folder}, fmt::format("its cases were made with another state of {}: -o names a "
@@ -148,7 +149,7 @@ void open_study_folder(const StudyFiles& files, const std::string& folder) {
   }
   fs::create_directories(folder + "/cases", why);
   if (why) throw InputError({folder}, why.message());
-  const Json json = json_of(files, parts);
+  const Json json = parts_json(files, parts);
   if (json != record) write_record(folder, json);
 }
 

@@ -53,7 +53,7 @@ struct Worst {
   double elevation_rad = 0;
 };
 
-std::optional<Fault> fault_of(const Worst& worst, const std::string& seen, const Place& place) {
+std::optional<Fault> worst_fault(const Worst& worst, const std::string& seen, const Place& place) {
   if (!worst.end) return {};
   return Fault{Severity::warning, place,
                fmt::format("MissionInfo: at {} of {}, about {}, {}; what is seen there is seen "
@@ -114,8 +114,8 @@ std::vector<Fault> ground_end_warnings(const MissionMachine& machine,
     }
   }
   std::vector<Fault> faults;
-  for (const auto& fault : {fault_of(of_sun, "the Sun", machine.mission.place),
-                            fault_of(of_earth, "Earth", machine.mission.place)}) {
+  for (const auto& fault : {worst_fault(of_sun, "the Sun", machine.mission.place),
+                            worst_fault(of_earth, "Earth", machine.mission.place)}) {
     if (fault) faults.push_back(*fault);
   }
   return faults;

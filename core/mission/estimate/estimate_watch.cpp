@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/rounding.h"
 #include "mission/estimate/event_ranges.h"
 #include "mission/light/sight_watch.h"
 
@@ -35,10 +36,6 @@ void extend(std::vector<ShadeSpan>& spans, double begin_s, double end_s) {
   } else {
     spans.push_back({begin_s, end_s});
   }
-}
-
-std::optional<double> known(double value) {
-  return std::isnan(value) ? std::nullopt : std::optional(value);
 }
 
 // The other rover that stands where this one is, "" without any. Drives of an estimate go through
@@ -177,10 +174,10 @@ std::vector<EventEstimate> EstimateWatch::events(const Fleet& fleet, Instant mis
       if (record.end) event.over_s = seconds(*record.end);
       if (!record.start || !record.end) continue;
       event.end_s = seconds(*record.end);
-      event.distance_m = known(record.distance_m);
-      event.energy_used_j = known(record.energy_used_j);
-      event.solar_j = known(record.solar_j);
-      event.charge_end = known(record.charge_end);
+      event.distance_m = if_known(record.distance_m);
+      event.energy_used_j = if_known(record.energy_used_j);
+      event.solar_j = if_known(record.solar_j);
+      event.charge_end = if_known(record.charge_end);
       const Sums& sums = rovers_[k].sums[i];
       const RoverPower& power = fleet.rovers[k].agent->power();
       doubted.push_back({nullptr, &planned, sums.drives,
@@ -188,7 +185,7 @@ std::vector<EventEstimate> EstimateWatch::events(const Fleet& fleet, Instant mis
                          sums.sun_more_j, sums.was_full});
       doubted_at.push_back(events.size() - 1);
       event.charge_min =
-          known(std::fmin(sums.charge_min, std::fmin(record.charge_start, record.charge_end)));
+          if_known(std::fmin(sums.charge_min, std::fmin(record.charge_start, record.charge_end)));
       if (sums.all_s <= 0) continue;
       if (has_panels) event.sunlit_share = {sums.clear_s / sums.all_s, sums.lit_s / sums.all_s};
       if (sums.sight_s > 0) {

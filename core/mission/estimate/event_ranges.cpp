@@ -10,7 +10,7 @@ namespace lsos {
 namespace {
 
 // Times that differ by less are the same, s: an event begins at the exchange after another ends.
-constexpr double same_s = 1;
+constexpr double same_moment_s = 1;
 
 // What has come together of a rover's events.
 struct Carried {
@@ -24,7 +24,7 @@ using Key = std::pair<std::string, std::int64_t>;
 bool ends_by_clock(const DoubtedEvent& event, Instant mission_start) {
   return std::ranges::any_of(event.planned->params, [&](const auto& param) {
     const Instant* at = std::get_if<Instant>(&param.second);
-    return at && std::abs(seconds(*at - mission_start) - *event.estimate->end_s) <= same_s;
+    return at && std::abs(seconds(*at - mission_start) - *event.estimate->end_s) <= same_moment_s;
   });
 }
 
@@ -45,7 +45,7 @@ Expected start_s(const DoubtedEvent& event, Instant mission_start, const Expecte
     wait_for(Expected::exactly(seconds(*event.planned->start_time - mission_start)));
   }
   // Later than all of these it waits for something else.
-  if (at_s > start.high + same_s) return Expected::exactly(at_s);
+  if (at_s > start.high + same_moment_s) return Expected::exactly(at_s);
   return {std::min(start.low, at_s), std::max(start.high, at_s)};
 }
 

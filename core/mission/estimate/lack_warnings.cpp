@@ -20,7 +20,7 @@ std::string takes_text(double takes_s) {
   return fmt::format("{:.1f} h", takes_s / 3600);
 }
 
-const PlanEvent* event_of(const Plan& plan, const std::string& rover_id, std::int64_t sequence) {
+const PlanEvent* event_at(const Plan& plan, const std::string& rover_id, std::int64_t sequence) {
   const auto event = std::ranges::find_if(plan.events, [&](const PlanEvent& other) {
     return other.rover_id == rover_id && other.sequence == sequence;
   });
@@ -31,7 +31,7 @@ const PlanEvent* event_of(const Plan& plan, const std::string& rover_id, std::in
 std::string below_text(const Lack& lack, const Plan& plan) {
   std::string text = " at " + utc_text(plan, *lack.below_s);
   if (lack.below_sequence == lack.sequence) return text;
-  const PlanEvent* event = event_of(plan, lack.rover_id, lack.below_sequence);
+  const PlanEvent* event = event_at(plan, lack.rover_id, lack.below_sequence);
   return event == nullptr ? text : text + fmt::format(", with or after '{}'", event->label);
 }
 
@@ -97,7 +97,7 @@ std::vector<Fault> lack_warnings(const std::vector<Lack>& lacks, const Plan& pla
   for (auto lack = lacks.begin(); lack != lacks.end(); ++lack) {
     const auto is_like = [&](const Lack& other) { return are_alike(*lack, other); };
     if (std::any_of(lacks.begin(), lack, is_like)) continue;
-    const PlanEvent* event = event_of(plan, lack->rover_id, lack->sequence);
+    const PlanEvent* event = event_at(plan, lack->rover_id, lack->sequence);
     if (event == nullptr) continue;
     std::string what =
         fmt::format("{} '{}': by the estimate {}", event->type, event->label, text_of(*lack, plan));
@@ -121,7 +121,7 @@ std::vector<Fault> doubt_warnings(const std::vector<EventEstimate>& events,
   std::vector<Fault> warnings;
   for (const EventEstimate& event : events) {
     const std::optional<Expected>& seen = event.earth_visible_share;
-    const PlanEvent* planned = event_of(plan, event.rover_id, event.sequence);
+    const PlanEvent* planned = event_at(plan, event.rover_id, event.sequence);
     if (planned == nullptr || !seen || seen->is_sure() || !event.start_s || !event.end_s) continue;
     const std::string& asked = planned->warn_when.text;
     if (asked.find("'Earth'") == std::string::npos && asked.find("\"Earth\"") == std::string::npos)

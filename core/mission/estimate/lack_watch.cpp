@@ -13,7 +13,7 @@ constexpr double contact_period_s = 600;
 // An antenna that is up for less is hardly there to be talked through, s.
 constexpr double contact_least_s = 600;
 // Two stretches of the same condition so near to each other are one, s.
-constexpr double same_s = 60;
+constexpr double same_lack_s = 60;
 
 // Whether an event has just failed for an empty battery, which its own reason tells.
 bool has_failed_empty(const EventRecord& record, double now_s) {
@@ -168,7 +168,7 @@ void LackWatch::add(std::vector<Lack>& lacks, Lack lack, double end_s) {
   if (lack.kind == LackKind::condition) {
     const auto same = std::ranges::find_if(lacks, [&](const Lack& other) {
       return other.kind == lack.kind && other.what == lack.what &&
-             lack.begin_s - other.end_s <= same_s;
+             lack.begin_s - other.end_s <= same_lack_s;
     });
     if (same != lacks.end()) {
       same->end_s = end_s;

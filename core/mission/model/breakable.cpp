@@ -14,7 +14,7 @@ namespace {
 using Mode = BreakageMode;
 
 template <class Things>
-std::vector<std::string> names_of(const Things& things) {
+std::vector<std::string> listed_names(const Things& things) {
   std::vector<std::string> names;
   for (const auto& thing : things) names.emplace_back(thing.name);
   return names;
@@ -67,7 +67,7 @@ Resolved modes_of(const Breakage& breakage, BreakageOfParts result) {
   const auto found = std::ranges::find_if(
       modes, [&](const Breakable::Mode& mode) { return breakage.mode == mode.name; });
   if (!breakage.mode.empty() && found == modes.end()) {
-    const std::string known = fmt::format("{}", fmt::join(names_of(modes), " or "));
+    const std::string known = fmt::format("{}", fmt::join(listed_names(modes), " or "));
     return {{},
             fmt::format("Mode = {}: does not fit {}{}", quoted(breakage.mode),
                         one_of(*result.breakable),
@@ -148,7 +148,7 @@ Resolved resolve(const Breakage& breakage, const BreakableParts& parts, const st
   const auto breakable = std::ranges::find_if(
       known, [&](const Breakable& each) { return breakage.what == each.name; });
   if (breakable == known.end()) {
-    const std::vector<std::string> names = names_of(known);
+    const std::vector<std::string> names = listed_names(known);
     const std::string hint = did_you_mean(breakage.what, names);
     return {{},
             fmt::format("What = {}: nothing of that name can break{}", quoted(breakage.what),

@@ -10,7 +10,7 @@ namespace lsos {
 
 namespace {
 
-constexpr double hour_s = 3600, day_s = 24 * hour_s;
+constexpr double hour_s = 3600;
 constexpr double detour_factor = 3;  // driven length over drawn length
 
 }  // namespace
@@ -45,7 +45,7 @@ SimTime default_max_duration(const Plan& plan, const Declarations& declarations,
     const double length_m = drawn_m(event.geometry, *plan.mission.planet, at[event.rover_id]);
     sum_s += detour_factor * length_m / drive_speed_mps(event, declaration, vehicle);
   }
-  const double hours = std::ceil((latest_s + sum_s + day_s) / hour_s - 1e-9);
+  const double hours = std::ceil((latest_s + sum_s + day_length_s) / hour_s - 1e-9);
   return std::min(from_seconds(hours * hour_s), longest_mission);
 }
 

@@ -44,7 +44,7 @@ std::string no_text(const Known& known) {
 }
 
 // Fault of a name; "" also when it may exist without being known.
-std::string fault_of(const Known& known, const std::string& name) {
+std::string name_fault(const Known& known, const std::string& name) {
   if (std::ranges::find(known.names, name) != known.names.end()) return "";
   if (!known.are_all) return "";
   if (known.names.empty()) return no_text(known);
@@ -162,7 +162,7 @@ void check_names(const PlanEvent& event, const EventDeclaration& declaration,
       continue;
     }
     const auto& name = std::get<std::string>(value->second);
-    const std::string fault = fault_of(known, name);
+    const std::string fault = name_fault(known, name);
     if (fault.empty()) continue;
     faults.error(event.place, fmt::format("{} '{}': {} = {}: {}", event.type, event.label,
                                           field.name, quoted(name), fault));

@@ -8,7 +8,7 @@ namespace lsos {
 
 namespace {
 
-const PlanEvent* event_of(const Plan& plan, const PlanEvent::Reference& reference) {
+const PlanEvent* referenced_event(const Plan& plan, const PlanEvent::Reference& reference) {
   const auto found = std::ranges::find_if(plan.events, [&](const PlanEvent& event) {
     return event.rover_id == reference.rover_id && event.sequence == reference.sequence;
   });
@@ -88,15 +88,15 @@ void check_revision(const Plan& plan, const EventReferences& begun, const Plan& 
   check_things("Asset", plan.assets, revised.assets, place, faults);
   std::map<std::string, std::int64_t> last;  // number of each rover's last event that has begun
   for (const PlanEvent::Reference& reference : begun) {
-    const PlanEvent* event = event_of(plan, reference);
+    const PlanEvent* event = referenced_event(plan, reference);
     if (event == nullptr) continue;
-    check_begun(*event, event_of(revised, reference), place, faults);
+    check_begun(*event, referenced_event(revised, reference), place, faults);
     if (!event->at) last[reference.rover_id] = reference.sequence;
   }
   for (const PlanEvent& event : revised.events) {
     const auto found = last.find(event.rover_id);
     const bool is_new = !begun.contains({event.rover_id, event.sequence});
-    const PlanEvent* known = event_of(plan, {event.rover_id, event.sequence});
+    const PlanEvent* known = referenced_event(plan, {event.rover_id, event.sequence});
     const bool is_same = known != nullptr && event_hash(*known) == event_hash(event);
     if (found == last.end() || !is_new || is_same || event.at) continue;
     if (event.sequence > found->second) continue;
@@ -110,8 +110,8 @@ std::map<PlanEvent::Reference, std::int64_t> renumbered_events(const Plan& plan,
                                                                const Plan& revised) {
   std::map<PlanEvent::Reference, std::int64_t> numbers;
   for (const PlanEvent::Reference& reference : begun) {
-    const PlanEvent* event = event_of(plan, reference);
-    if (event == nullptr || event_of(revised, reference) != nullptr) continue;
+    const PlanEvent* event = referenced_event(plan, reference);
+    if (event == nullptr || referenced_event(revised, reference) != nullptr) continue;
     const auto has_label = [&](const PlanEvent& other) {
       return other.rover_id == event->rover_id && other.label == event->label;
     };

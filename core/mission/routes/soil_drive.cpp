@@ -20,7 +20,8 @@ constexpr double slip_least = -0.5;
 constexpr int halvings = 5;
 
 // Linear interpolation between two states of a wheel.
-SingleWheelPoint between(const SingleWheelPoint& low, const SingleWheelPoint& high, double share) {
+SingleWheelPoint point_between(const SingleWheelPoint& low, const SingleWheelPoint& high,
+                               double share) {
   SingleWheelPoint point;
   point.slip = low.slip + share * (high.slip - low.slip);
   point.torque_n_m = low.torque_n_m + share * (high.torque_n_m - low.torque_n_m);
@@ -44,7 +45,7 @@ SingleWheelPoint between_at_pull(const WheelSoil& wheel, double load_n, double p
     (middle.drawbar_pull_n >= pull_n ? high : low) = middle;
   }
   const double rise_n = high.drawbar_pull_n - low.drawbar_pull_n;
-  return between(low, high, (pull_n - low.drawbar_pull_n) / rise_n);
+  return point_between(low, high, (pull_n - low.drawbar_pull_n) / rise_n);
 }
 
 // Travel speed at which the motor still gives the torque of `point`, m/s; absent when it cannot.

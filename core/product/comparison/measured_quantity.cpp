@@ -11,7 +11,7 @@ namespace lsos {
 namespace {
 
 // The SI unit that a column's name ends in; "charge" ends in none and is a fraction.
-const Unit* unit_of(std::string_view name) {
+const Unit* unit_of_name(std::string_view name) {
   const Unit* found = find_unit("1");
   for (const Unit& unit : all_units()) {
     if (unit.suffix.empty() || unit.si_factor != 1) continue;
@@ -22,7 +22,8 @@ const Unit* unit_of(std::string_view name) {
 }
 
 MeasuredQuantity quantity_of(std::string_view name, const Quantity* logged, int axis) {
-  MeasuredQuantity quantity{std::string(name), std::string(name), {}, unit_of(name), logged, axis};
+  MeasuredQuantity quantity{
+      std::string(name), std::string(name), {}, unit_of_name(name), logged, axis};
   const std::string_view suffix = quantity.unit->suffix;
   if (!suffix.empty()) quantity.base.resize(name.size() - suffix.size() - 1);
   quantity.title = column_title(layer_name<SampleRow>, name).title;

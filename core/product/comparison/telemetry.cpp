@@ -31,7 +31,7 @@ std::string listed(const std::vector<std::string>& names) {
   return text;
 }
 
-std::string range_text(const Quantity& quantity) {
+std::string allowed_text(const Quantity& quantity) {
   if (std::isinf(quantity.greatest)) return fmt::format("at least {:.6g}", quantity.least);
   if (std::isinf(quantity.least)) return fmt::format("at most {:.6g}", quantity.greatest);
   return fmt::format("{:.6g} to {:.6g}", quantity.least, quantity.greatest);
@@ -186,7 +186,7 @@ class RowReader {
     if (value >= logged->least - noise && value <= logged->greatest + noise) return true;
     fault(row, column.heading + " out of range",
           fmt::format("{}: {} is out of range: {} is {}{}", column.heading, cell(row, &column),
-                      column.quantity->name, range_text(*logged),
+                      column.quantity->name, allowed_text(*logged),
                       column.quantity->name == "charge" && column.factor == 1
                           ? "; per cent want the heading 'charge (%)'"
                           : ""));

@@ -96,7 +96,7 @@ std::vector<Parts> all_parts(std::string_view heading) {
 }
 
 // The unit of that kind that is written so, also as the end of a name: "mps", "kmph".
-std::optional<UnitSpelling> unit_of(const std::string& word, std::string_view kind) {
+std::optional<UnitSpelling> unit_of_word(const std::string& word, std::string_view kind) {
   for (const Unit& unit : all_units()) {
     const bool is_suffix = unit.kind == kind && unit.si_factor == 1 && unit.suffix == word;
     if (is_suffix && !word.empty()) return UnitSpelling{std::string(unit.symbol), 1};
@@ -181,7 +181,7 @@ TelemetryColumn telemetry_column(const std::string& heading) {
     for (const Target& target : targets()) {
       if (target.unit.empty() || part.base != target.base) continue;
       const std::optional<UnitSpelling> unit =
-          part.unit.empty() ? unit_unless_named(target) : unit_of(part.unit, target.unit);
+          part.unit.empty() ? unit_unless_named(target) : unit_of_word(part.unit, target.unit);
       if (unit) {
         set(column, target, *unit);
         return column;

@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const MeasuredQuantity* quantity_of(const Telemetry& telemetry, const std::string& name) {
+const MeasuredQuantity* quantity_named(const Telemetry& telemetry, const std::string& name) {
   const auto found = std::ranges::find(
       telemetry.quantities, name, [](const MeasuredQuantity* quantity) { return quantity->name; });
   return found == telemetry.quantities.end() ? nullptr : *found;
@@ -22,7 +22,7 @@ const MeasuredQuantity* quantity_of(const Telemetry& telemetry, const std::strin
 
 // Thinned as the run's curves are, so that a million rows can be shown.
 Json series_json(const ResidualSeries& series, const Telemetry& telemetry) {
-  const MeasuredQuantity* const quantity = quantity_of(telemetry, series.quantity);
+  const MeasuredQuantity* const quantity = quantity_named(telemetry, series.quantity);
   ThinnedRows rows({series.residuals.size(), 0}, report_stretches, 2, 2);
   for (const Residual& one : series.residuals) {
     // Angles lie beside the curve, whatever turn they were measured in.

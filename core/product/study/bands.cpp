@@ -36,7 +36,7 @@ const TableLayer arrivals_layer{"arrivals",
                                  {"share_reached"},
                                  {"cases", ColumnType::integer}}};
 
-constexpr std::size_t longitude = 2;  // of series_quantities
+constexpr std::size_t series_longitude = 2;  // of series_quantities
 
 // Longitudes on both sides of 180 degrees are neighbours.
 double near_to(double lon_deg, double reference_deg) {
@@ -57,7 +57,7 @@ Block read_block(const std::vector<SeriesFile>& series, const std::string& rover
   for (const SeriesFile& file : series) {
     std::vector<double> values = file.values(rover, quantity, from, count);
     for (std::size_t i = 0; i < values.size(); ++i) {
-      if (quantity == longitude) {
+      if (quantity == series_longitude) {
         if (!reference_deg) reference_deg = values[i];
         values[i] = near_to(values[i], *reference_deg);
       }
@@ -78,7 +78,7 @@ void write_band(const std::vector<SeriesFile>& series, const std::string& rover,
     for (std::size_t i = 0; i < block.size(); ++i) {
       Quantiles found = quantiles_of(block[i]);
       if (found.count == 0) continue;
-      if (quantity == longitude) {
+      if (quantity == series_longitude) {
         for (double* each : {&found.p5, &found.p50, &found.p95}) *each = within_half_turn(*each);
       }
       table.write({rover, std::string(series_quantities[quantity]),

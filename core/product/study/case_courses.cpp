@@ -14,7 +14,12 @@ namespace lsos {
 
 namespace {
 
-enum Quantity : std::size_t { charge, distance, longitude, latitude };  // of series_quantities
+enum SeriesQuantity : std::size_t {
+  charge_series,
+  distance_series,
+  longitude_series,
+  latitude_series
+};  // of series_quantities
 
 Vec2 on_map_m(const SiteFrame& site, double lon_deg, double lat_deg) {
   const Vec3 p_S_m = site.p_S_m(geodetic_from_degrees(lon_deg, lat_deg, site.origin().height_m));
@@ -40,7 +45,7 @@ class CourseReader {
   CourseReader(const std::string& rover_id, const StudyResults& results, const SiteFrame& site,
                const CourseLimits& limits, std::size_t values_max)
       : site_(site) {
-    const StudyBand* band = results.band(rover_id, series_quantities[longitude]);
+    const StudyBand* band = results.band(rover_id, series_quantities[longitude_series]);
     const std::size_t times = band == nullptr ? 0 : band->times_s.size();
     const double interval_s = times > 1 ? band->times_s[1] - band->times_s[0] : 1;
     const std::size_t cases =
@@ -58,16 +63,16 @@ class CourseReader {
   void add(const SeriesFile* series, bool is_shown) {
     std::array<std::vector<double>, series_quantities.size()> values;
     for (std::size_t i = 0; series != nullptr && i < values.size(); ++i) {
-      const bool is_place = i == longitude || i == latitude;
+      const bool is_place = i == longitude_series || i == latitude_series;
       if (!is_place && !is_shown) continue;
       values[i] = series->values(courses_.rover_id, i, 0, series->count(courses_.rover_id));
     }
     std::vector<std::optional<Vec2>> places_m;
-    for (std::size_t k = 0; k < values[longitude].size(); ++k) {
+    for (std::size_t k = 0; k < values[longitude_series].size(); ++k) {
       const bool is_wanted = k % spread_stride_ == 0 || (is_shown && k % stride_ == 0);
-      places_m.push_back(
-          is_wanted ? std::optional(on_map_m(site_, values[longitude][k], values[latitude][k]))
-                    : std::nullopt);
+      places_m.push_back(is_wanted ? std::optional(on_map_m(site_, values[longitude_series][k],
+                                                            values[latitude_series][k]))
+                                   : std::nullopt);
     }
     for (std::size_t k = 0; k < courses_.spreads.size(); ++k) {
       const std::size_t at = k * spread_stride_;
@@ -79,8 +84,8 @@ class CourseReader {
       const bool is_in = at < places_m.size();
       courses_.x_m.push_back(is_in ? places_m[at]->x() : not_modelled);
       courses_.y_m.push_back(is_in ? places_m[at]->y() : not_modelled);
-      courses_.charge.push_back(is_in ? values[charge][at] : not_modelled);
-      courses_.distance_m.push_back(is_in ? values[distance][at] : not_modelled);
+      courses_.charge.push_back(is_in ? values[charge_series][at] : not_modelled);
+      courses_.distance_m.push_back(is_in ? values[distance_series][at] : not_modelled);
     }
   }
 

@@ -52,13 +52,13 @@ Json object_of(const CaseRecord::Values& values) {
   return object;
 }
 
-CaseRecord::Values values_of(const Json& object) {
+CaseRecord::Values values_in(const Json& object) {
   CaseRecord::Values values;
   for (const auto& [name, value] : object.items()) values.emplace_back(name, value_of(value));
   return values;
 }
 
-Json json_of(const CaseRecord::Event& event) {
+Json event_json(const CaseRecord::Event& event) {
   const auto number = [](const std::optional<double>& value) {
     return value ? Json(*value) : Json(nullptr);
   };
@@ -104,7 +104,7 @@ std::string reason_of(const std::string& summary) {
 
 std::string to_json(const CaseRecord& record) {
   Json events = Json::array();
-  for (const CaseRecord::Event& event : record.events) events.push_back(json_of(event));
+  for (const CaseRecord::Event& event : record.events) events.push_back(event_json(event));
   const Json json{{"case", record.number},
                   {"seed", record.seed},
                   {"values", object_of(record.values)},
@@ -125,8 +125,8 @@ std::optional<CaseRecord> read_case_record(const std::string& text) {
     CaseRecord record;
     record.number = json.at("case").get<std::int64_t>();
     record.seed = json.at("seed").get<std::uint64_t>();
-    record.values = values_of(json.at("values"));
-    record.gathered = values_of(json.at("gathered"));
+    record.values = values_in(json.at("values"));
+    record.gathered = values_in(json.at("gathered"));
     for (const Json& event : json.at("events")) record.events.push_back(event_of(event));
     record.status = json.at("status").get<std::string>();
     record.reason = json.at("reason").get<std::string>();

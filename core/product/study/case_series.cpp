@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view mark = "lsos-host series 1\n";
 
-std::array<double, series_quantities.size()> values_of(const SampleRow& row) {
+std::array<double, series_quantities.size()> plotted_values(const SampleRow& row) {
   return {row.charge, row.distance_m, lon_deg(row.place), lat_deg(row.place)};
 }
 
@@ -36,7 +36,7 @@ void SeriesRecorder::add(const SampleRow& row) {
   Rover& rover = found->second;
   const SampleRow& last = rover.last ? *rover.last : row;
   const double from_s = seconds(last.time), to_s = seconds(row.time);
-  const auto before = values_of(last), after = values_of(row);
+  const auto before = plotted_values(last), after = plotted_values(row);
   for (;;) {
     const double at_s = static_cast<double>(rover.values[0].size()) * interval_s_;
     if (at_s > to_s) break;

@@ -50,7 +50,7 @@ struct ParameterValues {
   std::vector<std::size_t> classes;
 };
 
-ParameterValues values_of(const StudyResults& results, std::size_t column) {
+ParameterValues parameter_values(const StudyResults& results, std::size_t column) {
   ParameterValues of;
   of.is_text = results.columns[column].type == ColumnType::text;
   of.values = of.is_text ? days_of(results.texts(column)) : results.numbers(column);
@@ -113,7 +113,7 @@ Influence influence(const StudyResults& results, const std::vector<StudyNumber>&
   std::vector<ParameterValues> parameters;
   for (std::size_t i = 0; i < results.columns.size(); ++i) {
     if (results.columns[i].kind != Kind::parameter) continue;
-    ParameterValues values = values_of(results, i);
+    ParameterValues values = parameter_values(results, i);
     if (!varies(values.values)) continue;
     found.parameters.push_back(i);
     parameters.push_back(std::move(values));

@@ -66,10 +66,10 @@ ColumnValue cell(const Draw::Value& value, ColumnType type) {
   return std::string(*flag ? "true" : "false");
 }
 
-using Cells = std::map<std::string, ColumnValue>;
+using NamedCells = std::map<std::string, ColumnValue>;
 
 void add_rover_numbers(const std::string& summary, const std::vector<std::string>& rovers,
-                       Cells& cells) {
+                       NamedCells& cells) {
   const Json json = Json::parse(summary, nullptr, false);
   if (!json.is_object() || !json.contains("rovers")) return;
   for (const std::string& id : rovers) {
@@ -134,7 +134,7 @@ std::vector<StudyColumn> study_columns(const std::vector<StudyColumn>& parameter
 std::vector<ColumnValue> row_of_case(const std::vector<StudyColumn>& columns,
                                      const CaseRecord& record, const std::string& summary,
                                      const std::vector<std::string>& rovers) {
-  Cells cells;
+  NamedCells cells;
   add_rover_numbers(summary, rovers, cells);
   if (record.status != not_run_status) {
     cells["sim_s"] = number_or_none(record.sim_s);

@@ -23,7 +23,7 @@ namespace {
 constexpr std::size_t times_max = 60;    // at which a rover has an ellipse
 constexpr std::size_t track_max = 1000;  // places of a moving icon
 constexpr std::size_t ends_max = 2000;   // marks of missions that ended badly
-constexpr const char* track_schema_id = "lsos_study_track";
+constexpr const char* band_schema_id = "lsos_study_track";
 constexpr std::array plotted{"charge", "distance_m"};  // along the track, each as a band
 
 // What the Placemarks of all rovers are made of.
@@ -36,8 +36,8 @@ struct StudyMarks {
   Instant start() const { return request.plan.mission.start_time; }
 };
 
-KmlSchema track_schema() {
-  KmlSchema schema{track_schema_id, track_schema_id, {}};
+KmlSchema band_schema() {
+  KmlSchema schema{band_schema_id, band_schema_id, {}};
   for (const char* quantity : plotted) {
     for (const char* band : {"p5", "p50", "p95"}) {
       schema.array_fields.push_back({fmt::format("{}_{}", quantity, band), "float", ""});
@@ -96,7 +96,7 @@ std::vector<KmlPlacemark> courses_of(const StudyMarks& marks, const std::string&
   KmlPlacemark track;
   track.name = rover_id + " (median of places)";
   track.style_id = style.track_id;
-  track.schema_id = track_schema_id;
+  track.schema_id = band_schema_id;
   track.track.points = median_course(*lon, *lat, times);
   for (const std::size_t k : times) {
     track.track.when_utc.push_back(xml_time(marks.start() + from_seconds(lon->times_s[k])));
@@ -169,8 +169,8 @@ std::string balloon_of(const StudyArrival& arrival, const std::optional<SpreadEl
 }
 
 // Where events end: a mark by how many cases completed them, and the ellipse of most places.
-std::vector<KmlPlacemark> arrivals_of(const StudyMarks& marks, const std::string& rover_id,
-                                      const RoverStyle& style) {
+std::vector<KmlPlacemark> arrival_marks(const StudyMarks& marks, const std::string& rover_id,
+                                        const RoverStyle& style) {
   std::vector<KmlPlacemark> found;
   for (std::size_t i = 0; i < marks.results.arrivals.size(); ++i) {
     const StudyArrival& arrival = marks.results.arrivals[i];
@@ -200,7 +200,7 @@ std::vector<KmlPlacemark> arrivals_of(const StudyMarks& marks, const std::string
   return found;
 }
 
-std::vector<KmlPlacemark> ends_of(const StudyMarks& marks, const std::string& rover_id) {
+std::vector<KmlPlacemark> end_marks(const StudyMarks& marks, const std::string& rover_id) {
   std::vector<KmlPlacemark> found;
   for (const StudyEnd& end : marks.results.ends) {
     if (end.rover_id != rover_id || !end.place || found.size() == ends_max) continue;
@@ -217,7 +217,7 @@ std::vector<KmlPlacemark> ends_of(const StudyMarks& marks, const std::string& ro
   return found;
 }
 
-KmlFolder folder_of(std::string name, std::vector<KmlPlacemark> placemarks) {
+KmlFolder folder_of_placemarks(std::string name, std::vector<KmlPlacemark> placemarks) {
   KmlFolder folder;
   folder.name = std::move(name);
   folder.placemarks = std::move(placemarks);
@@ -257,7 +257,7 @@ std::string study_overlay(const StudyPageRequest& request) {
       fmt::format("{} {} cases; times are from {}{}", html_text(request.doc), results.cases.size(),
                   format_utc(marks.start()), request.has_one_start ? "" : ", though starts vary");
   document.target = target_of(*request.plan.mission.planet);
-  document.schemas = {track_schema()};
+  document.schemas = {band_schema()};
   add_styles(document);
   std::vector<Geodetic> places;
   std::size_t i = 0;
@@ -268,17 +268,21 @@ std::string study_overlay(const StudyPageRequest& request) {
     for (const StudyArrival& arrival : results.arrivals) {
       if (arrival.rover_id == rover.id && arrival.place) places.push_back(*arrival.place);
     }
-    KmlFolder folder = folder_of(rover.id, {});
+    KmlFolder folder = folder_of_placemarks(rover.id, {});
     folder.open = true;
-    folder.folders.push_back(folder_of(rover.id + " plan", drawn_of(marks, rover.id, style)));
-    folder.folders.push_back(folder_of(rover.id + " courses", courses_of(marks, rover.id, style)));
+    folder.folders.push_back(
+        folder_of_placemarks(rover.id + " plan", drawn_of(marks, rover.id, style)));
+    folder.folders.push_back(
+        folder_of_placemarks(rover.id + " courses", courses_of(marks, rover.id, style)));
     for (const RoverCourses& of : courses.rovers) {
       if (of.rover_id != rover.id) continue;
       folder.folders.push_back(
-          folder_of(rover.id + " places in time", spreads_of(marks, of, style)));
+          folder_of_placemarks(rover.id + " places in time", spreads_of(marks, of, style)));
     }
-    folder.folders.push_back(folder_of(rover.id + " events", arrivals_of(marks, rover.id, style)));
-    folder.folders.push_back(folder_of(rover.id + " ended badly", ends_of(marks, rover.id)));
+    folder.folders.push_back(
+        folder_of_placemarks(rover.id + " events", arrival_marks(marks, rover.id, style)));
+    folder.folders.push_back(
+        folder_of_placemarks(rover.id + " ended badly", end_marks(marks, rover.id)));
     document.folders.push_back(std::move(folder));
   }
   document.look_at = look_at(*request.plan.mission.planet, places);

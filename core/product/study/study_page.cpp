@@ -78,7 +78,7 @@ ReportData data_of(const StudyPageRequest& request, const StudyResults& results,
 }
 
 // Corners of all that the map must hold besides: where the cases were.
-ReportLine bounds_of(const CaseCourses& courses) {
+ReportLine bounds_line(const CaseCourses& courses) {
   ReportLine bounds;
   for (const RoverCourses& of : courses.rovers) {
     for (std::size_t k = 0; k < of.x_m.size(); ++k) {
@@ -173,7 +173,8 @@ Json study_document(const StudyPageRequest& request) {
   extras.left_out = request.left_out;
   if (request.ground) {
     const auto shadow_at = request.has_one_start ? std::optional(SimTime{}) : std::nullopt;
-    extras.map = report_map(*request.ground, data, shadow_at, request.threads, bounds_of(courses));
+    extras.map =
+        report_map(*request.ground, data, shadow_at, request.threads, bounds_line(courses));
   }
   Json document = report_document(data, request.plan, site, "", extras);
   document["study"] = study_json(request, results, courses, results.case_numbers(), site);

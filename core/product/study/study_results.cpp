@@ -23,7 +23,7 @@ double number_of(const ColumnValue& value) {
   return not_modelled;
 }
 
-std::string text_of(const ColumnValue& value) {
+std::string cell_text(const ColumnValue& value) {
   const auto* text = std::get_if<std::string>(&value);
   return text == nullptr ? "" : *text;
 }
@@ -36,12 +36,12 @@ class NamedRows {
 
   std::size_t size() const { return rows_.size(); }
   const std::vector<TableColumn>& columns() const { return columns_; }
-  const TableRow& row(std::size_t i) const { return rows_[i]; }
+  const FileRow& row(std::size_t i) const { return rows_[i]; }
   double number(std::size_t i, const char* name) const { return number_of(value(i, name)); }
   std::int64_t whole(std::size_t i, const char* name) const {
     return std::llround(number(i, name));
   }
-  std::string text(std::size_t i, const char* name) const { return text_of(value(i, name)); }
+  std::string text(std::size_t i, const char* name) const { return cell_text(value(i, name)); }
   std::optional<double> number_if(std::size_t i, const char* name) const {
     const double found = number(i, name);
     return std::isfinite(found) ? std::optional(found) : std::nullopt;
@@ -62,7 +62,7 @@ class NamedRows {
 
   std::string file_, layer_;
   std::vector<TableColumn> columns_;
-  std::vector<TableRow> rows_;
+  std::vector<FileRow> rows_;
 };
 
 Kind kind_of(const std::string& text) {
@@ -110,7 +110,7 @@ std::vector<StudyBand> bands_of(const NamedRows& rows) {
   return bands;
 }
 
-std::vector<StudyArrival> arrivals_of(const NamedRows& rows) {
+std::vector<StudyArrival> arrivals_in(const NamedRows& rows) {
   std::vector<StudyArrival> arrivals;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     arrivals.push_back({rows.text(i, "rover_id"), rows.whole(i, "sequence"), rows.text(i, "type"),
@@ -121,7 +121,7 @@ std::vector<StudyArrival> arrivals_of(const NamedRows& rows) {
   return arrivals;
 }
 
-std::vector<StudyEnd> ends_of(const NamedRows& rows) {
+std::vector<StudyEnd> ends_in(const NamedRows& rows) {
   std::vector<StudyEnd> ends;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     ends.push_back({rows.whole(i, "case"), rows.text(i, "rover_id"), rows.whole(i, "sequence"),
@@ -155,7 +155,7 @@ std::vector<double> StudyResults::numbers(std::size_t column) const {
 
 std::vector<std::string> StudyResults::texts(std::size_t column) const {
   std::vector<std::string> texts;
-  for (const auto& row : cases) texts.push_back(text_of(row[column]));
+  for (const auto& row : cases) texts.push_back(cell_text(row[column]));
   return texts;
 }
 
@@ -175,8 +175,8 @@ StudyResults read_study_results(const std::string& folder) {
   results.columns = columns_of(NamedRows(reader, file, "columns"), cases);
   for (std::size_t i = 0; i < cases.size(); ++i) results.cases.push_back(cases.row(i).values);
   results.bands = bands_of(NamedRows(reader, file, "bands"));
-  results.arrivals = arrivals_of(NamedRows(reader, file, "arrivals"));
-  results.ends = ends_of(NamedRows(reader, file, "ends"));
+  results.arrivals = arrivals_in(NamedRows(reader, file, "arrivals"));
+  results.ends = ends_in(NamedRows(reader, file, "ends"));
   return results;
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/rounding.h"
 #include "base/segment.h"
 #include "driving/fillet.h"
 #include "driving/side_slip.h"
@@ -14,7 +15,6 @@ namespace lsos {
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
 // Longest step of the midpoint rule, in map spacings: a diagonal of the lattice is one step. And
 // the step of a denser check.
 constexpr double step_spacings = 1.5, close_spacings = 0.5;

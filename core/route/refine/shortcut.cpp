@@ -4,11 +4,12 @@
 #include <array>
 #include <limits>
 
+#include "base/rounding.h"
+
 namespace lsos {
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
 // Greatest length of a piece, in distances between poses, and how many poses it advances at most.
 constexpr double reach_aparts = 5;
 constexpr std::size_t reach = 5;

@@ -4,15 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "base/rounding.h"
 #include "route/search/grid_search.h"
 
 namespace lsos {
 
-namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
-}  // namespace
+namespace {}  // namespace
 
 CostToGo::CostToGo(RouteCost& costs, const Vec2& start_m, const Vec2& goal_m,
                    const Corridor* within)

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <queue>
 
+#include "base/rounding.h"
 #include "route/map/tiled_grid.h"
 #include "route/search/corridor.h"
 
@@ -15,7 +16,6 @@ namespace lsos {
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr std::array<std::array<int, 2>, 8> neighbours{
     {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
 constexpr std::uint8_t no_direction = 255, to_goal = 8;
@@ -37,7 +37,7 @@ constexpr double corridors_spacings[] = {10, 40, 160};
 // the last one gained less than this share.
 constexpr double trusted_ratio = 1.25, gain_share = 0.05;
 
-struct Candidate {
+struct NodeCandidate {
   double total = 0;     // estimated cost of a whole route through it
   double cost = 0;      // to the node; a lower bound until the edge is evaluated
   float tie_break = 0;  // tie-break: of equal totals the greatest comes first
@@ -46,7 +46,7 @@ struct Candidate {
   bool is_known = false;
 
   // std::priority_queue returns the greatest element: here the least total.
-  bool operator<(const Candidate& other) const {
+  bool operator<(const NodeCandidate& other) const {
     if (total != other.total) return total > other.total;
     if (tie_break != other.tie_break) return tie_break < other.tie_break;
     if (node != other.node) return node > other.node;
@@ -54,11 +54,11 @@ struct Candidate {
   }
 };
 
-class Search {
+class NodeSearch {
  public:
   // `within`: corridor whose nodes alone are used; null: all nodes.
-  Search(RouteCost& costs, const Vec2& start_m, const Vec2& goal_m,
-         const Corridor* within = nullptr)
+  NodeSearch(RouteCost& costs, const Vec2& start_m, const Vec2& goal_m,
+             const Corridor* within = nullptr)
       : costs_(costs),
         map_(costs.map()),
         within_(within),
@@ -78,7 +78,7 @@ class Search {
     node(start_).cost = 0;
     queue_.push({heuristic(start_), 0, 0, start_, no_direction, true});
     while (!queue_.empty()) {
-      Candidate best = queue_.top();
+      NodeCandidate best = queue_.top();
       queue_.pop();
       Node& node = this->node(best.node);
       if (node.is_closed || (!best.is_known && !(best.cost < node.cost))) continue;
@@ -134,7 +134,7 @@ class Search {
     return node == goal_node_ ? goal_height_m_
                               : map_.node_m(node % map_.columns(), node / map_.columns());
   }
-  std::int32_t before(const Candidate& c) const {
+  std::int32_t before(const NodeCandidate& c) const {
     if (c.direction == to_goal) return last_;
     const auto& way = neighbours[c.direction];
     return c.node - number(way[0], way[1]);
@@ -192,7 +192,7 @@ class Search {
     return static_cast<float>(cost / costs_.least_per_metre() - aside_m / length_m);
   }
 
-  void offer(const Candidate& from, std::int32_t to, std::uint8_t direction) {
+  void offer(const NodeCandidate& from, std::int32_t to, std::uint8_t direction) {
     Node& node = this->node(to);
     if (node.is_closed) return;
     if (within_ != nullptr && !within_->holds(place(to))) return;
@@ -203,13 +203,13 @@ class Search {
     queue_.push({total(cost, to), cost, tie_break(cost, to), to, direction, false});
   }
 
-  bool can_stand(const Candidate& at) {
+  bool can_stand(const NodeCandidate& at) {
     if (at.direction == no_direction) return true;
     const auto& way = neighbours[at.direction];
     return costs_.can_stand(place(at.node), Vec2(way[0], way[1]).normalized());
   }
 
-  void expand(const Candidate& from) {
+  void expand(const NodeCandidate& from) {
     const int column = from.node % map_.columns(), row = from.node / map_.columns();
     for (std::uint8_t k = 0; k < to_goal; ++k) {
       const int x = column + neighbours[k][0], y = row + neighbours[k][1];
@@ -226,7 +226,7 @@ class Search {
   }
 
   // Evaluates the edge of a candidate.
-  void evaluate(Candidate& candidate) {
+  void evaluate(NodeCandidate& candidate) {
     const std::int32_t from = before(candidate);
     candidate.cost = node(from).cost + costs_.straight(place(from), place(candidate.node));
     Node& to = node(candidate.node);
@@ -265,7 +265,7 @@ class Search {
   std::int32_t start_ = 0, goal_node_, last_ = 0;
   TiledGrid<Node> nodes_;
   Node goal_;
-  std::priority_queue<Candidate> queue_;
+  std::priority_queue<NodeCandidate> queue_;
 };
 
 }  // namespace
@@ -289,7 +289,7 @@ GridRoute search_grid(RouteCost& costs, const Vec2& start_m, const Vec2& goal_m)
     for (const double off_spacings : corridors_spacings) {
       if (way.line.empty()) break;
       const Corridor corridor(map, way.line, off_spacings * spacing_m);
-      GridRoute route = Search(costs, start_m, goal_m, &corridor).run();
+      GridRoute route = NodeSearch(costs, start_m, goal_m, &corridor).run();
       expanded += route.expanded;
       route.expanded = expanded;
       const bool is_settled =
@@ -298,7 +298,7 @@ GridRoute search_grid(RouteCost& costs, const Vec2& start_m, const Vec2& goal_m)
       cost_before = route.cost;
     }
   }
-  GridRoute route = Search(costs, start_m, goal_m).run();
+  GridRoute route = NodeSearch(costs, start_m, goal_m).run();
   route.expanded += expanded;
   return route;
 }

@@ -11,6 +11,7 @@
 #include <span>
 #include <unordered_set>
 
+#include "base/rounding.h"
 #include "route/search/cost_to_go.h"
 #include "route/search/grid_search.h"
 
@@ -18,7 +19,6 @@ namespace lsos {
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
 // Curvatures of the edges, in units of the tightest; the straight one first. A fast rover slows
 // down much for the sharp ones, and hardly for the last.
 constexpr double turns[] = {0, 1, -1, 0.5, -0.5, 0.25, -0.25, 0.125, -0.125};
@@ -67,7 +67,7 @@ constexpr std::array<bool, 2> gears{false, true};
 
 // Entry of the queue: a pose; an edge from a pose, whose cost is a lower bound until it is
 // evaluated; or a complete route, by analytic expansion from a pose.
-struct Candidate {
+struct PoseCandidate {
   enum class Kind : std::uint8_t { pose, edge, to_goal };
   double total = 0;
   double cost = 0;
@@ -78,7 +78,7 @@ struct Candidate {
 
   // std::priority_queue returns the greatest element: here the least total, then the greatest cost
   // so far.
-  bool operator<(const Candidate& other) const {
+  bool operator<(const PoseCandidate& other) const {
     if (total != other.total) return total > other.total;
     if (cost != other.cost) return cost < other.cost;
     if (node != other.node) return node > other.node;
@@ -87,10 +87,10 @@ struct Candidate {
   }
 };
 
-class Search {
+class PoseGraphSearch {
  public:
-  Search(RouteCost& costs, const Pose2& start, const Vec2& goal_m, double radius_m,
-         const PoseGuide& guide)
+  PoseGraphSearch(RouteCost& costs, const Pose2& start, const Vec2& goal_m, double radius_m,
+                  const PoseGuide& guide)
       : costs_(costs),
         backing_(costs.backing()),
         map_(costs.map()),
@@ -155,13 +155,13 @@ class Search {
   // Whether the goal is reached within `poses` expansions.
   bool reach_goal(std::size_t poses, PoseRoute& route) {
     while (!queue_.empty() && closed_.size() < poses) {
-      const Candidate best = queue_.top();
+      const PoseCandidate best = queue_.top();
       queue_.pop();
-      if (best.kind == Candidate::Kind::to_goal) {
+      if (best.kind == PoseCandidate::Kind::to_goal) {
         finish(best, route);
         return true;
       }
-      if (best.kind == Candidate::Kind::edge) {
+      if (best.kind == PoseCandidate::Kind::edge) {
         evaluate(best);
         continue;
       }
@@ -205,7 +205,7 @@ class Search {
   }
 
   // Edges are queued by a lower bound of their cost; most are never evaluated.
-  void expand(const Candidate& from, const Pose2& pose) {
+  void expand(const PoseCandidate& from, const Pose2& pose) {
     const double height_m = map_.height_m(pose.at_m);
     for (const bool is_backward : gears_) {
       for (const double turn : turns) {
@@ -219,7 +219,7 @@ class Search {
         if (!std::isfinite(left)) continue;
         const double cost = from.cost + costs_.least((to.at_m - pose.at_m).norm(), rise_m) +
                             arc(from.node, turn, is_backward).cost;
-        queue_.push({cost + left, cost, from.node, Candidate::Kind::edge, turn, is_backward});
+        queue_.push({cost + left, cost, from.node, PoseCandidate::Kind::edge, turn, is_backward});
       }
     }
   }
@@ -258,7 +258,7 @@ class Search {
     return arc;
   }
 
-  void evaluate(const Candidate& edge) {
+  void evaluate(const PoseCandidate& edge) {
     const Reached& from = reached_[static_cast<std::size_t>(edge.node)];
     const double curvature_1pm = edge.turn / radius_m_;
     const bool is_backward = edge.is_backward;
@@ -273,7 +273,7 @@ class Search {
     queue_.push({cost + left(to.at_m), cost, static_cast<std::int32_t>(reached_.size() - 1)});
   }
 
-  void expand_to_goal(const Candidate& from, const Pose2& pose) {
+  void expand_to_goal(const PoseCandidate& from, const Pose2& pose) {
     const Vec2 delta_m = goal_m_ - pose.at_m;
     const double rise_m = map_.height_m(goal_m_) - map_.height_m(pose.at_m);
     if (!(from.cost + costs_.least(delta_m.norm(), rise_m) < least_)) return;
@@ -284,7 +284,7 @@ class Search {
     }
   }
 
-  void offer_to_goal(const Candidate& from, const Pose2& pose, double share, bool is_backward) {
+  void offer_to_goal(const PoseCandidate& from, const Pose2& pose, double share, bool is_backward) {
     const double radius_m = radius_m_ / std::abs(share);
     const auto line = last_piece(pose, share, is_backward);
     if (!line) return;
@@ -300,7 +300,7 @@ class Search {
     if (turn_m > 0) cost += costs_.arc(speeds, radius_m, turn_m / radius_m);
     if (!(cost < least_)) return;
     least_ = cost;
-    queue_.push({cost, cost, from.node, Candidate::Kind::to_goal, share, is_backward});
+    queue_.push({cost, cost, from.node, PoseCandidate::Kind::to_goal, share, is_backward});
   }
 
   std::optional<Line2> last_piece(const Pose2& pose, double share, bool is_backward) const {
@@ -308,7 +308,7 @@ class Search {
                             share > 0, map_.spacing_m());
   }
 
-  void finish(const Candidate& end, PoseRoute& route) const {
+  void finish(const PoseCandidate& end, PoseRoute& route) const {
     std::vector<Reached> way;
     for (std::int32_t node = end.node; node >= 0;) {
       way.push_back(reached_[static_cast<std::size_t>(node)]);
@@ -360,14 +360,14 @@ class Search {
   bool is_at_border_ = false;
   std::unordered_set<std::size_t> closed_;  // cells, each with a heading; never iterated
   std::vector<Reached> reached_;
-  std::priority_queue<Candidate> queue_;
+  std::priority_queue<PoseCandidate> queue_;
 };
 
 }  // namespace
 
 PoseRoute search_poses(RouteCost& costs, const Pose2& start, const Vec2& goal_m, double radius_m,
                        std::size_t poses_max, const PoseGuide& guide) {
-  return Search(costs, start, goal_m, radius_m, guide).run(poses_max);
+  return PoseGraphSearch(costs, start, goal_m, radius_m, guide).run(poses_max);
 }
 
 }  // namespace lsos

@@ -11,7 +11,7 @@ namespace {
 
 // Diameters are drawn octave by octave, each on its own grid with cells of this many diameters, so
 // that a query at one place meets few cells, whatever the range of diameters.
-constexpr double cell_to_diameter = 4;
+constexpr double crater_cell_to_diameter = 4;
 
 // A crater's life ends when its depth is down to 0.04 of its diameter, a fifth of a fresh one's
 // (Fassett and Thomson 2014). Diffusion lowers a smooth hollow by 1 / (1 + 4 lived), with `lived`
@@ -58,7 +58,7 @@ std::vector<Octave> octaves(const CraterPopulation& p) {
 }
 
 // Diameter below which that share of the octave's craters lies: the inverse of share_below().
-double drawn_diameter_m(const Octave& o, double share) {
+double crater_diameter_m(const Octave& o, double share) {
   const double ratio = o.cumulative_high_pm2 / o.cumulative_low_pm2;
   return o.diameter_low_m * std::pow(1 + share * (ratio - 1), o.exponent);
 }
@@ -117,7 +117,7 @@ double crater_volume_pm2(const CraterPopulation& p, double low_m, double high_m)
     const double from = share_below(octave, low), to = share_below(octave, high);
     double sum_m3 = 0;
     for (int i = 0; i < parts; ++i) {
-      const double diameter_m = drawn_diameter_m(octave, from + (i + 0.5) / parts * (to - from));
+      const double diameter_m = crater_diameter_m(octave, from + (i + 0.5) / parts * (to - from));
       const double most = life_max(p, octave, diameter_m);
       for (int j = 0; j < parts; ++j) {
         sum_m3 += crater_volume_m3(degraded_crater(p, {}, diameter_m, (j + 0.5) / parts * most));
@@ -144,9 +144,9 @@ std::vector<Crater> craters_touching(const CraterPopulation& population, std::ui
     const PlaneRectangle around{{area.low.x_m - reach_m, area.low.y_m - reach_m},
                                 {area.high.x_m + reach_m, area.high.y_m + reach_m}};
     visit_points(key, octave.cumulative_low_pm2 - octave.cumulative_high_pm2,
-                 cell_to_diameter * octave.diameter_high_m, around,
+                 crater_cell_to_diameter * octave.diameter_high_m, around,
                  [&](const PlanePoint& at, RandomStream& random) {
-                   const double diameter_m = drawn_diameter_m(octave, random.uniform());
+                   const double diameter_m = crater_diameter_m(octave, random.uniform());
                    const double lived = random.uniform();
                    if (diameter_m < diameter_low_m || diameter_m >= diameter_high_m) return;
                    const double dx = at.x_m - std::clamp(at.x_m, area.low.x_m, area.high.x_m);

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 
+#include "base/rounding.h"
 #include "terrain/detail/crater_rows.h"
 #include "terrain/detail/rocks.h"
 
@@ -119,7 +120,6 @@ std::optional<PlanePoint> DetailField::map_point(double U, double V) const {
 
 // Rectangle on the map of landforms that holds the piece of the finer grid.
 PlaneRectangle DetailField::map_rectangle(const NodeRectangle& on_grid) const {
-  constexpr double infinite = std::numeric_limits<double>::infinity();
   PlaneRectangle box{{infinite, infinite}, {-infinite, -infinite}};
   const double U_step = (on_grid.U_high - on_grid.U_low) / 4;
   const double V_step = (on_grid.V_high - on_grid.V_low) / 4;

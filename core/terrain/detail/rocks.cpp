@@ -8,7 +8,7 @@ namespace lsos {
 
 namespace {
 
-constexpr double cell_to_diameter = 8;
+constexpr double rock_cell_to_diameter = 8;
 
 // Decay of the exponential law, q = 1.79 + 0.152 / cover, 1/m.
 double decay_1pm(const RockPopulation& p) { return 1.79 + 0.152 / p.cover; }
@@ -39,8 +39,7 @@ double number_pm2(const RockPopulation& p, double low_m, double high_m) {
 }
 
 // Draws a diameter of the octave: from D^-2, accepted with the probability of the exponential.
-double drawn_diameter_m(const RockPopulation& p, double low_m, double high_m,
-                        RandomStream& random) {
+double rock_diameter_m(const RockPopulation& p, double low_m, double high_m, RandomStream& random) {
   const double q = decay_1pm(p);
   for (;;) {
     const double diameter_m = 1 / (1 / low_m + random.uniform() * (1 / high_m - 1 / low_m));
@@ -90,9 +89,9 @@ std::vector<Rock> rocks_touching(const RockPopulation& p, std::uint64_t seed,
     const double reach_m = high / 2;
     const PlaneRectangle around{{area.low.x_m - reach_m, area.low.y_m - reach_m},
                                 {area.high.x_m + reach_m, area.high.y_m + reach_m}};
-    visit_points(key, number_pm2(p, low, high), cell_to_diameter * high, around,
+    visit_points(key, number_pm2(p, low, high), rock_cell_to_diameter * high, around,
                  [&](const PlanePoint& at, RandomStream& random) {
-                   const double diameter_m = drawn_diameter_m(p, low, high, random);
+                   const double diameter_m = rock_diameter_m(p, low, high, random);
                    if (diameter_m < diameter_low_m || diameter_m >= diameter_high_m) return;
                    const double dx = at.x_m - std::clamp(at.x_m, area.low.x_m, area.high.x_m);
                    const double dy = at.y_m - std::clamp(at.y_m, area.low.y_m, area.high.y_m);

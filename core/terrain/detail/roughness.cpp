@@ -11,8 +11,6 @@ namespace lsos {
 
 namespace {
 
-constexpr int nodes = HeightTile::nodes;
-
 // Approximately normal random number: the sum of four 16-bit uniforms, with mean 0, variance 1.
 double normal(std::uint64_t key, std::int64_t column, std::int64_t row) {
   // Two rounds of multiplication and shift mix a lattice point as well as needed, and are cheaper
@@ -100,17 +98,17 @@ void RoughnessField::add_octave(const Octave& octave, HeightTile& tile,
   std::vector<double> values(columns.points.size());
   // Splines are summed along rows first: one line of nodes for each lattice row in use, of which
   // the last four are kept, each at the index of its number's last two bits.
-  std::array<std::array<double, nodes>, 4> lines;
+  std::array<std::array<double, HeightTile::nodes>, 4> lines;
   int made = 0;
-  const auto make_line = [&](std::array<double, nodes>& line, std::int64_t row) {
+  const auto make_line = [&](std::array<double, HeightTile::nodes>& line, std::int64_t row) {
     fill_row(octave, columns.points.front(), row, values);
-    for (int k = 0; k < nodes; ++k) {
+    for (int k = 0; k < HeightTile::nodes; ++k) {
       const double* v = &values[static_cast<std::size_t>(columns.start[k])];
       const auto& w = columns.weights[k];
       line[k] = w[0] * v[0] + w[1] * v[1] + (w[2] * v[2] + w[3] * v[3]);
     }
   };
-  for (int k = 0; k < nodes; ++k) {
+  for (int k = 0; k < HeightTile::nodes; ++k) {
     const int start = rows.start[k];
     for (; made < start + 4; ++made) {
       make_line(lines[made & 3], rows.points[static_cast<std::size_t>(made)]);
@@ -119,7 +117,7 @@ void RoughnessField::add_octave(const Octave& octave, HeightTile& tile,
     const auto &c = lines[(start + 2) & 3], &d = lines[(start + 3) & 3];
     const auto& w = rows.weights[k];
     double* row_m = &tile.height_m(HeightTile::first_node, k + HeightTile::first_node);
-    for (int i = 0; i < nodes; ++i) {
+    for (int i = 0; i < HeightTile::nodes; ++i) {
       row_m[i] += w[0] * a[i] + w[1] * b[i] + (w[2] * c[i] + w[3] * d[i]);
     }
   }

@@ -7,8 +7,6 @@ namespace lsos {
 
 namespace {
 
-constexpr int nodes = HeightTile::nodes;
-
 // Columns beside those in use, so that volumes at their edges need no test of each column.
 constexpr int margin = 3;
 
@@ -77,20 +75,20 @@ void VolumeLattice::add_columns_at(double V) {
 }
 
 void VolumeLattice::subtract_from(HeightTile& tile) const {
-  std::vector<std::array<double, nodes>> lines(rows_.points.size());
+  std::vector<std::array<double, HeightTile::nodes>> lines(rows_.points.size());
   for (std::size_t j = 0; j < lines.size(); ++j) {
     const double* row_m = &heights_m_[j * columns_.points.size()];
-    for (int i = 0; i < nodes; ++i) {
+    for (int i = 0; i < HeightTile::nodes; ++i) {
       const double* v = row_m + columns_.start[i];
       const auto& w = columns_.weights[i];
       lines[j][i] = w[0] * v[0] + w[1] * v[1] + (w[2] * v[2] + w[3] * v[3]);
     }
   }
-  for (int j = 0; j < nodes; ++j) {
+  for (int j = 0; j < HeightTile::nodes; ++j) {
     const auto* line = &lines[static_cast<std::size_t>(rows_.start[j])];
     const auto& w = rows_.weights[j];
     double* row_m = &tile.height_m(HeightTile::first_node, j + HeightTile::first_node);
-    for (int i = 0; i < nodes; ++i) {
+    for (int i = 0; i < HeightTile::nodes; ++i) {
       row_m[i] -= w[0] * line[0][i] + w[1] * line[1][i] + (w[2] * line[2][i] + w[3] * line[3][i]);
     }
   }

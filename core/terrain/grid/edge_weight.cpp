@@ -10,7 +10,7 @@ namespace lsos {
 
 namespace {
 
-constexpr int cells = HeightTile::cells;
+constexpr int tile_cells = HeightTile::cells;
 
 // The spline reaches two nodes away, and a node belongs to the cells on both sides.
 constexpr int margin_cells = 3;
@@ -22,21 +22,23 @@ WeightTile edge_weights(const TileKey& key, int fade_cells, const GridExtent& ex
   // Marks cells without ground in the window that matters; `fade_cells` is below a tile's width.
   const int halo = fade_cells + margin_cells;
   const auto is_inside = [&](int i, int j) {
-    const auto u = static_cast<double>(key.column * cells + i);
-    const auto v = static_cast<double>(key.row * cells + j);
+    const auto u = static_cast<double>(key.column * tile_cells + i);
+    const auto v = static_cast<double>(key.row * tile_cells + j);
     const bool is_between = extent.goes_around() || (u >= extent.u_low && u + 1 <= extent.u_high);
     return is_between && v >= extent.v_low && v + 1 <= extent.v_high;
   };
-  const int side = cells + 2 * halo;
+  const int side = tile_cells + 2 * halo;
   std::vector<char> hole(static_cast<std::size_t>(side) * side, 0);
   bool is_whole = true;
   for (int dj = -1; dj <= 1; ++dj) {
     for (int di = -1; di <= 1; ++di) {
       const auto from = tile({key.column + di, key.row + dj, key.level});
-      for (int j = std::max(-halo, dj * cells); j < std::min(cells + halo, (dj + 1) * cells); ++j) {
-        for (int i = std::max(-halo, di * cells); i < std::min(cells + halo, (di + 1) * cells);
-             ++i) {
-          if (is_inside(i, j) && from->is_ground(i - di * cells, j - dj * cells)) continue;
+      for (int j = std::max(-halo, dj * tile_cells);
+           j < std::min(tile_cells + halo, (dj + 1) * tile_cells); ++j) {
+        for (int i = std::max(-halo, di * tile_cells);
+             i < std::min(tile_cells + halo, (di + 1) * tile_cells); ++i) {
+          if (is_inside(i, j) && from->is_ground(i - di * tile_cells, j - dj * tile_cells))
+            continue;
           hole[static_cast<std::size_t>((j + halo) * side + i + halo)] = 1;
           is_whole = false;
         }
@@ -81,8 +83,8 @@ WeightTile edge_weights(const TileKey& key, int fade_cells, const GridExtent& ex
 
 SurfaceHeight smooth_weight(const WeightTile& weights, const CellPoint& at) {
   if (weights.is_whole) return {1, 0, 0};
-  const int i = static_cast<int>(at.column & (cells - 1));
-  const int j = static_cast<int>(at.row & (cells - 1));
+  const int i = static_cast<int>(at.column & (tile_cells - 1));
+  const int j = static_cast<int>(at.row & (tile_cells - 1));
   const auto u = b_spline(at.along_u), u_slope = b_spline_slope(at.along_u);
   const auto v = b_spline(at.along_v), v_slope = b_spline_slope(at.along_v);
   SurfaceHeight sum{0, 0, 0};

@@ -4,12 +4,21 @@
 #include <cpl_conv.h>
 #include <cpl_error.h>
 #include <gdal.h>
+#include <ogr_spatialref.h>
 
+#include <memory>
 #include <string>
 
 #include "access/refusal.h"
 
+class GDALDataset;
+
 namespace lsos {
+
+struct CloseDataset {
+  void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
+};
+using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
 
 // Scope in which GDAL prints nothing on this thread.
 class GdalSilence {
@@ -36,6 +45,15 @@ class GdalSilence {
 inline void bound_block_cache() {
   constexpr GIntBig budget_bytes = GIntBig{128} << 20;
   if (CPLGetConfigOption("GDAL_CACHEMAX", nullptr) == nullptr) GDALSetCacheMax64(budget_bytes);
+}
+
+inline std::string wkt_of(const OGRSpatialReference& crs) {
+  char* wkt = nullptr;
+  const char* const options[] = {"FORMAT=WKT2_2019", nullptr};
+  crs.exportToWkt(&wkt, options);
+  std::string text = wkt != nullptr ? wkt : "";
+  CPLFree(wkt);
+  return text;
 }
 
 }  // namespace lsos

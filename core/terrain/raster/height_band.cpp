@@ -11,13 +11,12 @@
 #include <unordered_set>
 
 #include "base/error.h"
+#include "base/rounding.h"
 #include "terrain/raster/gdal_call.h"
 
 namespace lsos {
 
 namespace {
-
-constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
 // A sample of -32768 or -32767 that would lie lower than this marks a missing one: the lowest
 // ground of the Moon is 9.1 km below its sphere (Smith et al. 2017).

@@ -17,15 +17,6 @@ namespace {
 // Greatest number of values of one map, which take a gigabyte while they are made.
 constexpr double most_values = double{1 << 28};
 
-std::string wkt_of(const OGRSpatialReference& crs) {
-  char* wkt = nullptr;
-  const char* const options[] = {"FORMAT=WKT2_2019", nullptr};
-  crs.exportToWkt(&wkt, options);
-  std::string text = wkt != nullptr ? wkt : "";
-  CPLFree(wkt);
-  return text;
-}
-
 OGRSpatialReference crs_of_wkt(const std::string& wkt) {
   OGRSpatialReference crs;
   LSOS_ASSERT(crs.importFromWkt(wkt.c_str()) == OGRERR_NONE);

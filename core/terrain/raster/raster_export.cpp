@@ -22,7 +22,7 @@ namespace lsos {
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& file) {
+[[noreturn]] void refuse_to_write(const std::string& file) {
   const std::string why = GdalSilence::message();
   throw OutputError(fmt::format("{}: cannot be written: {}", file, why.empty() ? "no space" : why));
 }
@@ -41,7 +41,7 @@ GDALDatasetUniquePtr in_memory(const MapGrid& grid, const Body& body,
   const int count = static_cast<int>(bands.size());
   GDALDatasetUniquePtr dataset(
       driver("MEM").Create("", grid.columns, grid.rows, count, GDT_Float32, nullptr));
-  if (!dataset) refuse("the map");
+  if (!dataset) refuse_to_write("the map");
   OGRSpatialReference crs;
   if (crs.importFromWkt(grid.crs.c_str()) != OGRERR_NONE) {
     throw InputError({}, "the map has no coordinate reference system that GDAL reads");
@@ -68,7 +68,7 @@ GDALDatasetUniquePtr in_memory(const MapGrid& grid, const Body& body,
       if (dataset->GetRasterBand(k + 1)->RasterIO(GF_Write, 0, row, grid.columns, 1, line,
                                                   grid.columns, 1, GDT_Float32, 0, 0,
                                                   nullptr) != CE_None) {
-        refuse("the map");
+        refuse_to_write("the map");
       }
     }
   }
@@ -76,7 +76,7 @@ GDALDatasetUniquePtr in_memory(const MapGrid& grid, const Body& body,
 }
 
 // Length of the map's unit, or of a degree where the map is geographic, m.
-double unit_m(const OGRSpatialReference& crs, const Body& body) {
+double crs_unit_m(const OGRSpatialReference& crs, const Body& body) {
   if (crs.IsGeographic()) return body.equatorial_radius_m * std::numbers::pi / 180;
   return crs.GetLinearUnits();
 }
@@ -85,7 +85,7 @@ double unit_m(const OGRSpatialReference& crs, const Body& body) {
 GDALDatasetUniquePtr hillshade(GDALDataset& heights, const Body& body) {
   CPLStringList words;
   for (const char* word : {"-of", "MEM", "-compute_edges"}) words.AddString(word);
-  if (const double to_m = unit_m(*heights.GetSpatialRef(), body); to_m != 1) {
+  if (const double to_m = crs_unit_m(*heights.GetSpatialRef(), body); to_m != 1) {
     words.AddString("-s");
     words.AddString(fmt::format("{}", to_m).c_str());
   }
@@ -94,7 +94,7 @@ GDALDatasetUniquePtr hillshade(GDALDataset& heights, const Body& body) {
   int misused = FALSE;
   GDALDatasetUniquePtr shade(GDALDataset::FromHandle(GDALDEMProcessing(
       "", GDALDataset::ToHandle(&heights), "hillshade", nullptr, options.get(), &misused)));
-  if (!shade) refuse("the hillshade");
+  if (!shade) refuse_to_write("the hillshade");
   shade->GetRasterBand(1)->SetDescription("hillshade");
   return shade;
 }
@@ -110,7 +110,7 @@ void write_cog(GDALDataset& dataset, const std::string& file) {
                                                      options.List(), nullptr, nullptr));
   const bool is_made = copy != nullptr;
   copy.reset();
-  if (!is_made || CPLGetLastErrorType() >= CE_Failure) refuse(file);
+  if (!is_made || CPLGetLastErrorType() >= CE_Failure) refuse_to_write(file);
   write_file(file, made.bytes());
 }
 

@@ -25,8 +25,8 @@ std::string vertical_unit(GDALDataset& dataset) {
 }
 
 // Metres per unit of the band; nullopt where nothing states it.
-std::optional<double> unit_m(GDALRasterBand& band, const RasterSurface& surface,
-                             const RasterName& name) {
+std::optional<double> band_unit_m(GDALRasterBand& band, const RasterSurface& surface,
+                                  const RasterName& name) {
   const std::string allowed = fmt::format(
       "{} are allowed ({})", fmt::join(length_unit_names(), ", "), option_of_raster("unit"));
   if (!surface.unit.empty()) {
@@ -61,7 +61,7 @@ HeightScale scale_of(GDALRasterBand& band, const RasterSurface& surface, const B
                     result.scale, result.offset_m));
   }
   double to_m = 1;
-  if (const auto unit = unit_m(band, surface, name)) {
+  if (const auto unit = band_unit_m(band, surface, name)) {
     to_m = *unit;
   } else if (is_radius_of(body, result.offset_m * 1000)) {
     to_m = 1000;  // LOLA's and MOLA's floating-point products: 1737.4 km
@@ -95,7 +95,7 @@ bool are_radii(const RasterSurface& surface, const Body& body, const HeightScale
 // Heights of a narrow band about 1737 are radii of the Moon in kilometres more often than not.
 void refuse_unclear_unit(GDALRasterBand& band, const RasterSurface& surface, const Body& body,
                          const HeightRange& range, const RasterName& name) {
-  if (surface.is_radius || unit_m(band, surface, name)) return;
+  if (surface.is_radius || band_unit_m(band, surface, name)) return;
   const double radius_km = body.equatorial_radius_m / 1000;
   if (radius_km < 1000 || !range.is_within(radius_km, ground_limit_m(body) / 1000)) return;
   name.refuse(

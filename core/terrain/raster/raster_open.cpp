@@ -107,15 +107,6 @@ bool names_file(const std::string& crs) {
   return std::regex_search(crs, by_path);
 }
 
-std::string wkt_of(const OGRSpatialReference& crs) {
-  char* wkt = nullptr;
-  const char* const options[] = {"FORMAT=WKT2_2019", nullptr};
-  crs.exportToWkt(&wkt, options);
-  std::string text = wkt == nullptr ? "" : wkt;
-  CPLFree(wkt);
-  return text;
-}
-
 }  // namespace
 
 std::unique_ptr<GDALDataset> open_raster(const RasterSurface& surface, const RasterName& name) {

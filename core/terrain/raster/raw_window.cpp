@@ -5,11 +5,11 @@
 #include <limits>
 #include <vector>
 
+#include "base/rounding.h"
+
 namespace lsos {
 
 namespace {
-
-constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
 // Nodes around a tile: two passes of filling reach two nodes each.
 constexpr int halo = 4;

@@ -25,7 +25,7 @@ constexpr int clip_planes = 6;
 // to_panel maps a point to panel coordinates c: x and y are -1..1 across the panel, z is in metres
 // towards the viewer. A line from c to a viewer at distance d meets the panel's plane at
 // c.xy / (1 - c.z/d).
-constexpr const char* vertex_shader = R"(#version 330 core
+constexpr const char* panel_vertex_shader = R"(#version 330 core
 uniform mat3 to_panel[64];
 uniform float per_distance[64];
 uniform vec2 margins_m;
@@ -45,7 +45,7 @@ void main() {
   gl_Position = vec4(((2.0 * tile + 1.0) * w + c.xy) / across - w, 0.0, w);
 }
 )";
-constexpr const char* fragment_shader = R"(#version 330 core
+constexpr const char* panel_fragment_shader = R"(#version 330 core
 out vec4 colour;
 void main() { colour = vec4(0.0, 0.0, 0.0, 1.0); }
 )";
@@ -89,7 +89,7 @@ std::vector<std::array<std::uint32_t, 3>> triangles_in_view(const PanelFace& pan
 }  // namespace
 
 struct PanelView::Pipeline {
-  Program program{vertex_shader, fragment_shader};
+  Program program{panel_vertex_shader, panel_fragment_shader};
   GLuint framebuffer = 0, picture = 0, arrays = 0, vertices = 0, triangles = 0;
   GLint to_panel = 0, per_distance = 0, margins_m = 0;
   std::vector<GLubyte> pixels = std::vector<GLubyte>(std::size_t{size_px} * size_px);

@@ -14,11 +14,11 @@ namespace lsos {
 namespace {
 
 // Spacing of the coarse rows that are sampled first, in the middle of the strip.
-constexpr double first_rows_m = 0.5, first_share = 0.01;
-constexpr int nodes_across = 13;  // of the rows in the mesh
+constexpr double column_first_rows_m = 0.5, column_first_share = 0.01;
+constexpr int column_nodes_across = 13;  // of the rows in the mesh
 // Greatest slope (tangent) of the ground between coarse rows.
-constexpr double rise_max = 1.2;
-constexpr double farthest_m = 400e3;
+constexpr double column_rise_max = 1.2;
+constexpr double column_farthest_m = 400e3;
 
 // The strip in its own axes: x towards the Sun, y across, z up at the eye.
 class Strip {
@@ -118,7 +118,7 @@ class Strip {
   }
   // The probe for coarse rows at that distance, one per octave.
   Ground::Probe& first_probe(double x_m) {
-    return first_probes_.at(octave_below_m(first_rows_m, first_share * x_m));
+    return first_probes_.at(octave_below_m(column_first_rows_m, column_first_share * x_m));
   }
 
   const Ground& ground_;
@@ -139,8 +139,8 @@ class StripMesh {
     const auto first = static_cast<std::uint32_t>(mesh_.vertices.size());
     double lowest = strip_.is_past_reach(x_m) ? std::numeric_limits<double>::infinity()
                                               : -std::numeric_limits<double>::infinity();
-    for (int k = 0; k < nodes_across; ++k) {
-      const double y_m = strip_.half_width_m(x_m) * (2.0 * k / (nodes_across - 1) - 1);
+    for (int k = 0; k < column_nodes_across; ++k) {
+      const double y_m = strip_.half_width_m(x_m) * (2.0 * k / (column_nodes_across - 1) - 1);
       const Vec3 at = strip_.point(x_m, y_m);
       const bool is_hidden = strip_.is_past_reach(x_m) && strip_.steepest(at) < ridge_;
       is_low_.push_back(at.z() < strip_.lowest_ray_m(at.x()) || is_hidden);
@@ -150,9 +150,9 @@ class StripMesh {
           {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())});
     }
     if (!is_joined) return;
-    for (std::uint32_t k = first - nodes_across; k + 1 < first; ++k) {
-      add_triangle({k, k + 1, k + nodes_across});
-      add_triangle({k + 1, k + nodes_across + 1, k + nodes_across});
+    for (std::uint32_t k = first - column_nodes_across; k + 1 < first; ++k) {
+      add_triangle({k, k + 1, k + column_nodes_across});
+      add_triangle({k + 1, k + column_nodes_across + 1, k + column_nodes_across});
     }
     // Ground drawn between two rows hides at least what the lower row hides.
     ridge_ = std::max(ridge_, lowest);
@@ -182,12 +182,12 @@ Mesh ground_mesh(const Ground& ground, const SunColumn& column) {
   StripMesh mesh(strip);
   bool is_open = false;  // the last row added is where this stretch begins
   double x_m = 0, z_m = strip.first_point(0).z();  // of the middle line
-  while (x_m < farthest_m && !strip.is_beyond(x_m) && mesh.ridge() < strip.top_ray_slope()) {
-    const double next_m = x_m + std::max(first_rows_m, first_share * x_m);
+  while (x_m < column_farthest_m && !strip.is_beyond(x_m) && mesh.ridge() < strip.top_ray_slope()) {
+    const double next_m = x_m + std::max(column_first_rows_m, column_first_share * x_m);
     const double next_z_m = strip.first_point(next_m).z(), height_m = std::max(z_m, next_z_m);
     z_m = next_z_m;
     const double missing_m = 2 * (next_m - x_m);
-    const double rise_m = rise_max * (next_m - x_m + strip.half_width_m(next_m)) + missing_m;
+    const double rise_m = column_rise_max * (next_m - x_m + strip.half_width_m(next_m)) + missing_m;
     // Whether ground up to that height lies below all rays, or behind what is in the mesh.
     const auto is_free = [&](double highest_m) {
       const bool is_hidden = strip.is_past_reach(x_m) &&

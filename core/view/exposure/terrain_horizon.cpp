@@ -10,9 +10,9 @@ namespace lsos {
 
 namespace {
 
-constexpr double nearest_m = 2, farthest_m = 30e3, step_share = 0.1;
+constexpr double horizon_nearest_m = 2, horizon_farthest_m = 30e3, horizon_step_share = 0.1;
 constexpr double detail_share = 0.5;  // resolution of the ground, of a step
-constexpr double finest_m = detail_share * step_share * nearest_m;
+constexpr double finest_m = detail_share * horizon_step_share * horizon_nearest_m;
 constexpr double step_rad = 2 * std::numbers::pi / TerrainHorizon::azimuths;
 
 }  // namespace
@@ -36,11 +36,12 @@ TerrainHorizon terrain_horizon(const Ground& ground, const Vec3& eye_S_m) {
   for (int k = 0; k < TerrainHorizon::azimuths; ++k) {
     const Vec3 along_S = std::cos(k * step_rad) * north_S + std::sin(k * step_rad) * east_S;
     double slope = 0;  // the steepest found, at least level
-    for (double x_m = nearest_m; x_m < farthest_m; x_m *= 1 + step_share) {
+    for (double x_m = horizon_nearest_m; x_m < horizon_farthest_m; x_m *= 1 + horizon_step_share) {
       if (x_m * slope > over_eye_m) break;
       const Vec3 p_S_m = eye_S_m + x_m * along_S;
       const GroundSample sample =
-          probes.at(octave_below_m(finest_m, detail_share * step_share * x_m)).sample(p_S_m);
+          probes.at(octave_below_m(finest_m, detail_share * horizon_step_share * x_m))
+              .sample(p_S_m);
       if (!sample.is_ground()) continue;
       const Vec3 to_m = x_m * along_S - sample.gap_m * sample.up_S;
       const double ahead_m = to_m.dot(along_S);

@@ -9,12 +9,12 @@ namespace lsos {
 
 namespace {
 
-constexpr double step_least_m = 1, step_share = 0.02;  // of the distance
-constexpr double full_up_to_m = 2;                     // shorter steps sample the ground in full
-constexpr double hole_steps = 3;  // shorter holes between two places are ignored
-constexpr int halvings = 8;       // bisections of the step in which the ground ends
+constexpr double end_step_least_m = 1, end_step_share = 0.02;  // of the distance
+constexpr double full_up_to_m = 2;  // shorter steps sample the ground in full
+constexpr double hole_steps = 3;    // shorter holes between two places are ignored
+constexpr int halvings = 8;         // bisections of the step in which the ground ends
 
-double step_m(double distance_m) { return std::max(step_least_m, step_share * distance_m); }
+double step_m(double distance_m) { return std::max(end_step_least_m, end_step_share * distance_m); }
 
 }  // namespace
 
@@ -36,7 +36,7 @@ std::optional<GroundEnd> GroundEndProbe::towards(const Vec3& eye_S_m, const Vec3
       horizon_reach_m(site.body(), site.height_m(eye_S_m), elevation_rad - disc_rad);
   const double top_slope = std::tan(elevation_rad + disc_rad);
   GroundEndTracker tracker;
-  for (double x_m = step_least_m; x_m < matters_m; x_m += step_m(x_m)) {
+  for (double x_m = end_step_least_m; x_m < matters_m; x_m += step_m(x_m)) {
     const Vec3 p_S_m = eye_S_m + x_m * along_S;
     const GroundSample found = sample(p_S_m, step_m(x_m));
     if (!found.is_ground() && !ground_->reaches(p_S_m)) break;
@@ -61,7 +61,7 @@ std::optional<GroundEnd> GroundEndProbe::between(const Vec3& from_S_m, const Vec
   const SiteFrame& site = ground_->site();
   const Vec3 line_m = to_S_m - from_S_m;
   const double length_m = line_m.norm();
-  if (length_m < step_least_m) return {};
+  if (length_m < end_step_least_m) return {};
   const Vec3 along_S = line_m / length_m;
   const auto ground_height_m = [&](const Vec3& end_S_m) {
     const GroundSample below = sample(end_S_m, 0);

@@ -10,9 +10,9 @@ namespace lsos {
 
 namespace {
 
-constexpr double level_factor = 4;      // size and cell of each grid over those of the previous one
-constexpr double farthest_m = 250'000;  // visibility of a rise of 10 km on the Moon
-constexpr double level_share = 0.45;    // share of a grid's shorter side marched before the next
+constexpr double level_factor = 4;  // size and cell of each grid over those of the previous one
+constexpr double shadow_farthest_m = 250'000;  // visibility of a rise of 10 km on the Moon
+constexpr double level_share = 0.45;  // share of a grid's shorter side marched before the next
 
 constexpr double far_cells = 8;  // resolution of the larger grids, in their cells
 
@@ -48,7 +48,7 @@ std::vector<Level> levels_of(const Ground& ground, const MapCells& cells, int th
     // From any cell of the map the grid reaches at least this far in any direction.
     level.reach_m = level_share * std::min(now.columns, now.rows) * now.cell_m;
     if (levels.size() == 1) level.reach_m = 2 * now.cell_m * std::max(now.columns, now.rows);
-    if (level.reach_m > farthest_m) return levels;
+    if (level.reach_m > shadow_farthest_m) return levels;
     const double x_m = now.left_m + now.columns * now.cell_m / 2;
     const double y_m = now.top_m - now.rows * now.cell_m / 2;
     now.cell_m *= level_factor;

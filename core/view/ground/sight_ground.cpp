@@ -10,10 +10,10 @@ namespace lsos {
 namespace {
 
 // Spacing of the coarse rows that are sampled first, in the middle of the strip.
-constexpr double first_rows_m = 0.5, first_share = 0.01;
-constexpr int nodes_across = 3;  // of the rows in the mesh
+constexpr double sight_first_rows_m = 0.5, sight_first_share = 0.01;
+constexpr int sight_nodes_across = 3;  // of the rows in the mesh
 // Greatest slope (tangent) of the ground between coarse rows.
-constexpr double rise_max = 1.2;
+constexpr double sight_rise_max = 1.2;
 
 }  // namespace
 
@@ -28,14 +28,14 @@ class SightGround::Strip {
     if (length_m_ <= 0) return;
     along_S_ = line_m / length_m_;
     across_S_ = up_S.cross(level_m / length_m_);
-    rise_max_ = rise_max + std::abs(line_m.dot(up_S)) / length_m_;
+    rise_max_ = sight_rise_max + std::abs(line_m.dot(up_S)) / length_m_;
   }
 
   Mesh mesh() {
     double at_m = 0, gap_m = middle_gap_m(0);
     bool is_open = false;  // the last row added is where this stretch begins
     while (at_m < length_m_ && !is_hidden_) {
-      const double step_m = std::max(first_rows_m, first_share * to_nearer_end_m(at_m));
+      const double step_m = std::max(sight_first_rows_m, sight_first_share * to_nearer_end_m(at_m));
       const double free_m = std::isfinite(gap_m) ? (gap_m - margin_m()) / rise_max_ : 0;
       const double next_m = std::min(length_m_, at_m + std::max(step_m, free_m));
       const double next_gap_m = middle_gap_m(next_m);
@@ -72,8 +72,8 @@ class SightGround::Strip {
   void add_row(double at_m, bool is_joined) {
     const auto first = static_cast<std::uint32_t>(mesh_.vertices.size());
     bool is_over = true, is_ground = true;
-    for (int k = 0; k < nodes_across; ++k) {
-      const double left_m = half_m_ * (2.0 * k / (nodes_across - 1) - 1);
+    for (int k = 0; k < sight_nodes_across; ++k) {
+      const double left_m = half_m_ * (2.0 * k / (sight_nodes_across - 1) - 1);
       const Vec3 on_line_m = at_m * along_S_ + left_m * across_S_;
       const GroundSample sample =
           sight_.probes_.at(to_nearer_end_m(at_m)).sample(from_S_m_ + on_line_m);
@@ -85,9 +85,9 @@ class SightGround::Strip {
           {static_cast<float>(p_m.x()), static_cast<float>(p_m.y()), static_cast<float>(p_m.z())});
     }
     if (is_joined && is_ground && was_ground_) {
-      for (std::uint32_t k = first - nodes_across; k + 1 < first; ++k) {
-        mesh_.triangles.push_back({k, k + 1, k + nodes_across});
-        mesh_.triangles.push_back({k + 1, k + nodes_across + 1, k + nodes_across});
+      for (std::uint32_t k = first - sight_nodes_across; k + 1 < first; ++k) {
+        mesh_.triangles.push_back({k, k + 1, k + sight_nodes_across});
+        mesh_.triangles.push_back({k + 1, k + sight_nodes_across + 1, k + sight_nodes_across});
       }
       is_hidden_ = is_over && was_over_;
     }
@@ -98,7 +98,7 @@ class SightGround::Strip {
   SightGround& sight_;
   Vec3 from_S_m_;
   double half_m_;
-  double length_m_ = 0, rise_max_ = rise_max;
+  double length_m_ = 0, rise_max_ = sight_rise_max;
   Vec3 along_S_ = Vec3::Zero(), across_S_ = Vec3::Zero();
   Mesh mesh_;
   bool was_ground_ = false, was_over_ = false, is_hidden_ = false;

@@ -20,11 +20,11 @@ constexpr double resolution_cells = 16;  // detail is then drawn on nodes not mu
 // Beyond the squares rays towards the Sun are marched, from this many places of their edge.
 constexpr int edge_rays = 33;
 constexpr double march_share = 0.01, march_resolution_share = 0.01;  // of the distance
-constexpr double steepest = 30;      // slope of rays; a higher Sun casts negligible shadows
-constexpr double soft_cells = 0.02;  // shadow edges are no sharper than the nodes resolve
+constexpr double ray_slope_max = 30;  // slope of rays; a higher Sun casts negligible shadows
+constexpr double soft_cells = 0.02;   // shadow edges are no sharper than the nodes resolve
 constexpr double sector_margin_cells = 4;
 constexpr double faded_from = 0.6;  // of a square's half width
-constexpr float none = -1e30f;
+constexpr float no_ground_m = -1e30f;
 
 std::size_t node_at(int row, int column) { return static_cast<std::size_t>(row * nodes + column); }
 
@@ -47,7 +47,7 @@ void smooth(std::vector<float>& share) {
 }
 
 double slope_of(double elevation_rad) {
-  const double highest_rad = std::atan(steepest);
+  const double highest_rad = std::atan(ray_slope_max);
   return std::tan(std::clamp(elevation_rad, -highest_rad, highest_rad));
 }
 
@@ -100,7 +100,7 @@ TerrainShadow::TerrainShadow(const Ground& ground, const Vec3& eye_S_m, const Ve
 TerrainShadow::Level TerrainShadow::sampled(const Ground& ground, const Vec3& eye_S_m,
                                             double half_m) const {
   Level level{half_m, 2 * half_m / (nodes - 1), {}, {}, {}};
-  level.ground_m.assign(node_at(nodes, 0), none);
+  level.ground_m.assign(node_at(nodes, 0), no_ground_m);
   const double radius_m = ground.site().body().equatorial_radius_m;
   const Level* finer = levels_.empty() ? nullptr : &levels_.back();
   const auto row = [&](LodProbes& probes, int j) {
@@ -110,7 +110,7 @@ TerrainShadow::Level TerrainShadow::sampled(const Ground& ground, const Vec3& ey
       const int fine_i = 2 * i - (nodes - 1) / 2, fine_j = 2 * j - (nodes - 1) / 2;
       if (finer && fine_i >= 0 && fine_i < nodes && fine_j >= 0 && fine_j < nodes) {
         height_m = finer->ground_m[node_at(fine_j, fine_i)];
-        if (height_m > none) continue;
+        if (height_m > no_ground_m) continue;
       }
       const double x_m = i * level.cell_m - half_m, y_m = j * level.cell_m - half_m;
       const double drop_m = (x_m * x_m + y_m * y_m) / (2 * radius_m);
@@ -204,7 +204,7 @@ void TerrainShadow::sweep(Level& level, const Level* coarser) const {
     for (int i = nodes - 1, end = first_seen(level, j); i >= end; --i) {
       const std::size_t k = node_at(j, i);
       const double ground_m = level.ground_m[k];
-      if (ground_m <= none) {
+      if (ground_m <= no_ground_m) {
         // Unknown ground is taken to lie as high as that below the eye, and casts no shadow.
         const double along_m = i * level.cell_m - level.half_m;
         const double drop_m = (along_m * along_m + across_m * across_m) / (2 * radius_m_);
@@ -238,7 +238,7 @@ TerrainShadow::GridPosition TerrainShadow::grid_position(double along_m, double 
 
 TerrainShadow::Limits TerrainShadow::unobstructed() {
   Limits limits_m;
-  limits_m.fill(none);
+  limits_m.fill(no_ground_m);
   return limits_m;
 }
 

@@ -22,8 +22,8 @@ constexpr double straight_px = 0.02;
 // Cells between samples, and between rays at the far end: from `finest_cells` up to a whole cell at
 // a distance of `cells_to_whole` cells, which limits the time that large maps take.
 constexpr double finest_cells = 0.25, cells_to_whole = 1000;
-constexpr double far_share = 0.005;
-constexpr double coarse_share = 0.25;  // of a step: finer detail is left out
+constexpr double viewshed_far_share = 0.005;
+constexpr double viewshed_coarse_share = 0.25;  // of a step: finer detail is left out
 
 // Ground next to a place does not hide it: that is its own slope.
 constexpr double own_cells = 0.75;
@@ -31,7 +31,7 @@ constexpr double own_cells = 0.75;
 // Ground can be sampled within 60 degrees of the site, which is at the observer or near it.
 constexpr double reach_rad = 0.9;
 
-constexpr float none = -std::numeric_limits<float>::infinity();
+constexpr float no_slope = -std::numeric_limits<float>::infinity();
 
 // Clockwise from north.
 double azimuth_rad(const Vec3& direction, const Vec3& east, const Vec3& north) {
@@ -141,7 +141,7 @@ void Viewshed::add_distances() {
   const auto step_m = [&](double x_m) {
     const double plain_m =
         std::clamp(near_share * x_m, near_cells * cell_m, cells_per_sample_ * cell_m);
-    return std::max(plain_m, far_share * std::min(x_m, sector_.nearest_m - x_m));
+    return std::max(plain_m, viewshed_far_share * std::min(x_m, sector_.nearest_m - x_m));
   };
   for (double x_m = step_m(0); x_m <= sector_.farthest_m; x_m += step_m(x_m)) {
     distances_m_.push_back(x_m);
@@ -206,7 +206,7 @@ std::optional<GridCoordinates> Viewshed::place_px(const Geodetic& place, double 
 }
 
 double Viewshed::steepest_before(const Polar& target, const GridCoordinates& target_px) const {
-  double steepest = none;
+  double steepest = no_slope;
   const auto cross = [&](double begin, double end, double GridCoordinates::*along) {
     for (double line = std::floor(std::min(begin, end)) + 1; line < std::max(begin, end); ++line) {
       const double share = (line - begin) / (end - begin);
@@ -278,17 +278,18 @@ void Viewshed::march(std::size_t ray, GroundProbes& probes) {
   while (heights_ != nullptr && count > 0 && !heights_->holds(track[count - 1])) --count;
   std::vector<float>& highest = max_slopes_[ray];
   highest.resize(count);
-  float so_far = none;
+  float so_far = no_slope;
   double before_m = 0;
   for (std::size_t k = 0; k < count; ++k) {
     const double x_m = distances_m_[k];
     const Vec3 over_S_m = p_S_m(azimuth_rad, x_m);
     const auto height_m = track[k] ? heights_->height_m(*track[k]) : std::nullopt;
-    double slope = none;
+    double slope = no_slope;
     if (height_m) {
       slope = ground_slope(over_S_m, *height_m);
     } else {
-      const double resolution_m = octave_above_m(observer_.cell_m, coarse_share * (x_m - before_m));
+      const double resolution_m =
+          octave_above_m(observer_.cell_m, viewshed_coarse_share * (x_m - before_m));
       const GroundSample ground = probes.at(resolution_m).sample(over_S_m);
       if (ground.is_ground()) slope = polar(over_S_m - ground.gap_m * ground.up_S).slope;
     }
@@ -314,11 +315,11 @@ bool Viewshed::sees(const Vec3& target_S_m) const {
   const std::size_t ray = std::min(static_cast<std::size_t>(at), ray_count_ - 2);
   const double share = std::clamp(at - static_cast<double>(ray), 0.0, 1.0);
   const auto highest_of = [&](const std::vector<float>& highest) {
-    return highest.empty() ? none : highest[std::min(sample, highest.size() - 1)];
+    return highest.empty() ? no_slope : highest[std::min(sample, highest.size() - 1)];
   };
   const float left = highest_of(max_slopes_[ray]), right = highest_of(max_slopes_[ray + 1]);
   // Without ground on one side the other side decides.
-  if (left == none || right == none) return target.slope >= std::max(left, right);
+  if (left == no_slope || right == no_slope) return target.slope >= std::max(left, right);
   return target.slope >= (1 - share) * left + share * right;
 }
 

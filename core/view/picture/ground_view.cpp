@@ -15,8 +15,8 @@ constexpr double along_share_max = 0.014;      // of the distance
 // Resolution of ground samples in node spacings: detail is then drawn on nodes somewhat closer than
 // those of the mesh.
 constexpr double resolution_steps = 14;
-constexpr double far_m = 2500, far_share = 0.02;  // from there on rows are wider apart
-constexpr double nearest_m = 0.3;
+constexpr double far_m = 2500, picture_far_share = 0.02;  // from there on rows are wider apart
+constexpr double ground_nearest_m = 0.3;
 constexpr double steep = 0.8;  // sine of the pitch downwards beyond which a camera sees no horizon
 
 // Sample positions in rows and columns, relative to the eye, at about the height of the ground.
@@ -45,12 +45,13 @@ Lattice fan(const SiteFrame& site, const Camera& camera, double eye_gap_m) {
   const double radius_m = site.body().equatorial_radius_m;
   const double end_m = sight_m(site.body(), site.height_m(camera.eye_S_m));
   // Relief may lift the ground towards the eye by a quarter of the eye's height.
-  double r_m = std::max(nearest_m, 0.75 * eye_gap_m / std::tan(std::max(down_rad, 0.05)));
+  double r_m = std::max(ground_nearest_m, 0.75 * eye_gap_m / std::tan(std::max(down_rad, 0.05)));
   Lattice lattice;
   while (r_m < end_m) {
     const double seen_m = r_m * r_m * along_px / (camera.focal_px * std::max(eye_gap_m, 0.3));
-    const double step_m = std::clamp(seen_m, std::max(0.02, 0.7 * step_rad * r_m),
-                                     (r_m > far_m ? far_share : along_share_max) * r_m + 0.02);
+    const double step_m =
+        std::clamp(seen_m, std::max(0.02, 0.7 * step_rad * r_m),
+                   (r_m > far_m ? picture_far_share : along_share_max) * r_m + 0.02);
     const double drop_m = eye_gap_m + r_m * r_m / (2 * radius_m);
     lattice.rows.emplace_back();
     for (int k = 0; k < columns; ++k) {

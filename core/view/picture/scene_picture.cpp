@@ -17,7 +17,7 @@ namespace {
 // Supersampling factor in width and height, for smooth edges. On small triangles this is far
 // quicker in software than several samples per pixel.
 constexpr int supersampling = 2;
-constexpr double nearest_m = 0.2, farthest_m = 500e3;
+constexpr double picture_nearest_m = 0.2, picture_farthest_m = 500e3;
 constexpr double level_ground_brightness =
     0.30;  // its brightness in the picture before tone mapping
 constexpr double exposure_max = 6;
@@ -33,12 +33,13 @@ void set(const Program& program, const char* name, double x) {
   glUniform1f(program.uniform(name), static_cast<float>(x));
 }
 
-Matrix to_picture(const Camera& camera) {
+Matrix camera_to_picture(const Camera& camera) {
   Eigen::Matrix4d m = Eigen::Matrix4d::Zero();
   m.row(0).head<3>() = camera.right_S() * (2 * camera.focal_px / camera.width_px);
   m.row(1).head<3>() = camera.up_S * (2 * camera.focal_px / camera.height_px);
-  m.row(2).head<3>() = camera.ahead_S * ((farthest_m + nearest_m) / (farthest_m - nearest_m));
-  m(2, 3) = -2 * farthest_m * nearest_m / (farthest_m - nearest_m);
+  m.row(2).head<3>() = camera.ahead_S * ((picture_farthest_m + picture_nearest_m) /
+                                         (picture_farthest_m - picture_nearest_m));
+  m(2, 3) = -2 * picture_farthest_m * picture_nearest_m / (picture_farthest_m - picture_nearest_m);
   m.row(3).head<3>() = camera.ahead_S;
   return m.cast<float>();
 }
@@ -93,7 +94,7 @@ std::string toned(const char* shader) {
 
 void set_all(const Program& program, const Scene& scene, const Camera& camera) {
   glUseProgram(program.id());
-  const Matrix matrix = to_picture(camera);
+  const Matrix matrix = camera_to_picture(camera);
   glUniformMatrix4fv(program.uniform("to_picture"), 1, GL_FALSE, matrix.data());
   set(program, "sun", scene.sun_S);
   set(program, "up", scene.up_S);

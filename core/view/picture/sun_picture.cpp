@@ -15,7 +15,7 @@ namespace {
 
 constexpr double depth_half_m = 500;  // beyond it depth is clamped, and the nearest is not found
 
-constexpr const char* vertex_shader = R"(#version 330 core
+constexpr const char* sun_vertex_shader = R"(#version 330 core
 uniform mat4 to_picture;
 layout(location = 0) in vec3 p_m;
 out vec3 at_m;
@@ -24,7 +24,7 @@ void main() {
   gl_Position = to_picture * vec4(p_m, 1.0);
 }
 )";
-constexpr const char* fragment_shader = R"(#version 330 core
+constexpr const char* sun_fragment_shader = R"(#version 330 core
 uniform vec3 colour;
 uniform vec3 towards;
 uniform bool is_emissive;
@@ -60,7 +60,7 @@ void draw_mesh(const Mesh& mesh) {
 }
 
 // Column-major.
-std::array<float, 16> to_picture(const PictureFrame& frame) {
+std::array<float, 16> sun_to_picture(const PictureFrame& frame) {
   const Vec3 right = frame.up.cross(frame.towards);
   std::array<float, 16> m{};
   const std::array<Vec3, 3> rows{right / frame.half_m, frame.up / frame.half_m,
@@ -79,7 +79,7 @@ std::array<float, 16> to_picture(const PictureFrame& frame) {
 
 Picture draw(const Gpu&, std::span<const PictureSolid> solids, const PictureFrame& frame) {
   const Canvas canvas(frame.size_px, frame.size_px);
-  const Program program(vertex_shader, fragment_shader);
+  const Program program(sun_vertex_shader, sun_fragment_shader);
   glUseProgram(program.id());
   glViewport(0, 0, frame.size_px, frame.size_px);
   glEnable(GL_DEPTH_TEST);
@@ -89,7 +89,7 @@ Picture draw(const Gpu&, std::span<const PictureSolid> solids, const PictureFram
   disable_clip_planes();
   glClearColor(0, 0, 0, 1);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  const std::array<float, 16> matrix = to_picture(frame);
+  const std::array<float, 16> matrix = sun_to_picture(frame);
   glUniformMatrix4fv(program.uniform("to_picture"), 1, GL_FALSE, matrix.data());
   const Eigen::Vector3f towards = frame.towards.cast<float>();
   glUniform3fv(program.uniform("towards"), 1, towards.data());

@@ -31,7 +31,7 @@ TEST(TableFileReader, gives_back_what_was_written) {
   EXPECT_EQ(columns[1].name, "SEV1/20.Speed");
   EXPECT_EQ(columns[1].type, ColumnType::real);
   EXPECT_EQ(columns[2].type, ColumnType::text);
-  const std::vector<TableRow> rows = reader.rows("ends");
+  const std::vector<FileRow> rows = reader.rows("ends");
   ASSERT_EQ(rows.size(), 2u);
   const std::vector<ColumnValue> first{std::int64_t{3}, 0.1, std::string("<'\"&")};
   EXPECT_EQ(rows[0].values, first);
