@@ -6,6 +6,10 @@ target_compile_options(lsos_options INTERFACE
   -Wall -Wextra -Wconversion -Wshadow -Wno-sign-conversion -ffp-contract=off
   $<$<BOOL:${LSOS_WERROR}>:-Werror>)
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+  if(LSOS_UNITY)
+    # A variable may have the name of a constant of another file.
+    target_compile_options(lsos_options INTERFACE -Wno-shadow -Wshadow=local)
+  endif()
   # Lets ccache keep what is built with precompiled headers; with those, GCC 12 takes parts of
   # strings for out of bounds that are not.
   target_compile_options(lsos_options INTERFACE
