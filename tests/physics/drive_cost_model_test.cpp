@@ -10,12 +10,12 @@
 namespace lsos::test {
 namespace {
 
-struct Climb {
+struct ModelledClimb {
   const char *rover, *planet, *soil;
   double speed_mps, length_m, slopes_deg[3];
 };
 
-class DriveTable : public testing::TestWithParam<Climb> {};
+class DriveTable : public testing::TestWithParam<ModelledClimb> {};
 
 // Energy of a metre with that of the motors' controllers, J/m.
 double metre_j(const DriveCost& cost, const SlopeDrive& drive) {
@@ -32,7 +32,7 @@ double rover_efficiency(const VehicleConfig& rover) {
 // The difference of two lengths of drive excludes starting and stopping. The wheels of a vehicle
 // carry unequal loads, those of the table equal ones.
 TEST_P(DriveTable, has_the_energy_of_the_simulated_rover) {
-  const Climb& climb = GetParam();
+  const ModelledClimb& climb = GetParam();
   for (const double slope_deg : climb.slopes_deg) {
     const auto slope =
         ground({climb.planet, PlaneSurface{0, radians(slope_deg), radians(180)}, climb.soil});
@@ -82,11 +82,11 @@ TEST(DriveLosses, are_in_the_table_as_in_the_simulated_rover) {
 
 INSTANTIATE_TEST_SUITE_P(
     Rovers, DriveTable,
-    testing::Values(Climb{"SEV", "Moon", "ApolloNominal", 1, 20, {0, 8, 15}},
-                    Climb{"LRV", "Moon", "ApolloNominal", 1, 60, {0, 8, 15}},
-                    Climb{"MER", "Mars", "MMS", 0.035, 1.5, {0, 5, 10}},
-                    Climb{"ATHLETE", "Moon", "ApolloNominal", 0.4, 10, {0, 5, 10}},
-                    Climb{"Husky", "Earth", "Hardpan", 0.5, 10, {0, 8, 15}}),
+    testing::Values(ModelledClimb{"SEV", "Moon", "ApolloNominal", 1, 20, {0, 8, 15}},
+                    ModelledClimb{"LRV", "Moon", "ApolloNominal", 1, 60, {0, 8, 15}},
+                    ModelledClimb{"MER", "Mars", "MMS", 0.035, 1.5, {0, 5, 10}},
+                    ModelledClimb{"ATHLETE", "Moon", "ApolloNominal", 0.4, 10, {0, 5, 10}},
+                    ModelledClimb{"Husky", "Earth", "Hardpan", 0.5, 10, {0, 8, 15}}),
     [](const auto& tested) { return std::string(tested.param.rover); });
 
 // `spare_jpm` is the energy that brakes and motors take up downhill, as the electrical energy that

@@ -35,19 +35,19 @@ Planned planned(const Ground& ground, const DriveCost& cost, const Line2& line) 
   return {estimate.energy_j + cost.stop_j, estimate.duration_s + cost.stop_s};
 }
 
-struct Series {
+struct LegSeries {
   const char* rover;
   double length_m;
   int legs;
 };
 
-class RoughGround : public testing::TestWithParam<Series> {};
+class RoughGround : public testing::TestWithParam<LegSeries> {};
 
 // The constants of rough ground are fitted to these legs and to those of PlannedTurns. On others,
 // seeds from 200, planned turns come to 0.96 of LRV's driven energy and 0.99 of its time, and to
 // 0.92 and 1.03 of SEV's.
 TEST_P(RoughGround, costs_what_it_costs_the_simulated_rover) {
-  const Series& series = GetParam();
+  const LegSeries& series = GetParam();
   int found = 0;
   double planned_sum_j = 0, driven_sum_j = 0, planned_sum_s = 0, driven_sum_s = 0;
   for (std::uint64_t seed = 101; found < series.legs && seed < 300; ++seed) {
@@ -79,8 +79,8 @@ TEST_P(RoughGround, costs_what_it_costs_the_simulated_rover) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Rovers, RoughGround,
-                         testing::Values(Series{"SEV", 60, 8}, Series{"LRV", 60, 6},
-                                         Series{"MER", 15, 4}),
+                         testing::Values(LegSeries{"SEV", 60, 8}, LegSeries{"LRV", 60, 6},
+                                         LegSeries{"MER", 15, 4}),
                          [](const auto& tested) { return std::string(tested.param.rover); });
 
 // A zigzag of 20 m sides, with corners that are rounded, slowed down for, or stopped at.
@@ -113,12 +113,12 @@ TEST(Corners, cost_what_they_cost_the_simulated_rover) {
   }
 }
 
-class PlannedTurns : public testing::TestWithParam<Series> {};
+class PlannedTurns : public testing::TestWithParam<LegSeries> {};
 
 // Includes arcs, slowing down for them and for side slip, over the rough ground of the pole. The
 // rover must also stay near its line.
 TEST_P(PlannedTurns, cost_what_they_cost_the_simulated_rover) {
-  const Series& series = GetParam();
+  const LegSeries& series = GetParam();
   int found = 0;
   double planned_sum_j = 0, driven_sum_j = 0, planned_sum_s = 0, driven_sum_s = 0, worst_m = 0;
   for (std::uint64_t seed = 1; found < series.legs && seed < 100; ++seed) {
@@ -164,7 +164,7 @@ TEST_P(PlannedTurns, cost_what_they_cost_the_simulated_rover) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Rovers, PlannedTurns,
-                         testing::Values(Series{"LRV", 120, 32}, Series{"SEV", 120, 16}),
+                         testing::Values(LegSeries{"LRV", 120, 32}, LegSeries{"SEV", 120, 16}),
                          [](const auto& tested) { return std::string(tested.param.rover); });
 
 }  // namespace

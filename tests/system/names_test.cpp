@@ -78,12 +78,14 @@ std::vector<LocalName> local_names(const std::vector<std::string>& lines) {
   return names;
 }
 
-// The library that a file is compiled into; "" where each of its files is compiled alone.
+// The library or program that a file is compiled into; "" where each of its files is compiled alone.
 std::string library_of(const std::filesystem::path& file) {
   std::vector<std::string> parts(file.begin(), file.end());
   if (parts.size() < 3) return "";
   if (parts[0] == "core") return parts[0] + "/" + parts[1];
   if (parts[0] == "lua") return parts[1] == "app" || parts[1] == "study" ? "lua/app" : "lua";
+  if (parts[1] == "unit") return parts[1] + "/" + parts[2];
+  if (parts[1] == "physics") return parts[1];
   return "";
 }
 

@@ -30,7 +30,7 @@ TEST(ChildProcess, reads_what_it_is_written) {
   ChildProcess process = child(ChildProcess::Pipe::to_child, [](int pipe_end) {
     char letter = 0;
     int count = 0;
-    while (read(pipe_end, &letter, 1) == 1) ++count;
+    while (::read(pipe_end, &letter, 1) == 1) ++count;
     return count;
   });
   EXPECT_TRUE(process.write("twelve bytes"));

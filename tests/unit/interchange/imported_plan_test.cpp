@@ -45,7 +45,7 @@ Imported import(const std::vector<std::string>& sheets) {
   return imported;
 }
 
-std::string start(const PlanEvent& event) {
+std::string start_text(const PlanEvent& event) {
   return event.start_time ? format_utc(*event.start_time) : "none";
 }
 
@@ -59,10 +59,10 @@ TEST(ImportedPlan, takes_over_rover_and_day_of_the_row_above) {
   ASSERT_EQ(made.faults, "");
   const auto& events = made.plan.events;
   ASSERT_EQ(events.size(), 4u);
-  EXPECT_EQ(start(events[0]), "2026-07-01T08:00:00.000Z");
-  EXPECT_EQ(start(events[1]), "2026-07-01T08:30:00.000Z");
-  EXPECT_EQ(start(events[2]), "2026-07-02T00:00:00.000Z");  // the day begins
-  EXPECT_EQ(start(events[3]), "none");
+  EXPECT_EQ(start_text(events[0]), "2026-07-01T08:00:00.000Z");
+  EXPECT_EQ(start_text(events[1]), "2026-07-01T08:30:00.000Z");
+  EXPECT_EQ(start_text(events[2]), "2026-07-02T00:00:00.000Z");  // the day begins
+  EXPECT_EQ(start_text(events[3]), "none");
   EXPECT_EQ(std::get<double>(events[0].params.at("speed_mps")), 1.0);
   EXPECT_EQ(std::get<double>(events[1].params.at("duration_s")), 5400.0);
   EXPECT_EQ(std::get<double>(events[3].params.at("duration_s")), 5400.0);
@@ -89,7 +89,7 @@ TEST(ImportedPlan, joins_a_line_on_a_map_with_the_row_of_its_name) {
   const Plan plan = read_plan("plan.kml", made.source, declarations(), faults);
   ASSERT_EQ(faults_text(faults), "");
   EXPECT_EQ(plan.events.at(0).geometry.points.size(), 3u);
-  EXPECT_EQ(start(plan.events[0]), "2026-07-03T00:00:00.000Z");
+  EXPECT_EQ(start_text(plan.events[0]), "2026-07-03T00:00:00.000Z");
   EXPECT_THAT(made.left_out, ElementsAre("1 place that no row names: Elsewhere"));
 }
 
@@ -107,7 +107,7 @@ TEST(ImportedPlan, has_units_that_are_signs_and_rovers_at_places) {
 TEST(ImportedPlan, says_that_clock_times_without_a_day_are_of_the_first) {
   const Imported made =
       import({mission, "Type,Rover,Start,Duration\nPause,A,08:00,1 h\nPause,A,10:00,1 h\n"});
-  EXPECT_EQ(start(made.plan.events.at(1)), "2026-07-01T10:00:00.000Z");
+  EXPECT_EQ(start_text(made.plan.events.at(1)), "2026-07-01T10:00:00.000Z");
   EXPECT_THAT(made.faults, HasSubstr("s2.csv:C2: warning: StartTime = 08:00: no Day is said, so "
                                      "clock times of this sheet are of day 1, 2026-07-01"));
   EXPECT_EQ(made.faults.find("C3"), std::string::npos);

@@ -13,7 +13,7 @@ constexpr const char* sound_event =
     "local lsos = require 'lsos' return lsos.event { api = 1, doc = 'First.', "
     "phases = { go = function() end } }";
 
-std::string text_of(const Faults& faults) {
+std::string text_of_faults(const Faults& faults) {
   std::string text;
   for (const Fault& fault : faults.sorted()) text += to_string(fault) + "\n";
   return text;
@@ -37,7 +37,7 @@ TEST(Catalog, broken_script_costs_a_warning_and_the_others_load) {
   EXPECT_TRUE(catalog.declarations().events.contains("Good"));
   EXPECT_FALSE(catalog.declarations().events.contains("Bad"));
   EXPECT_FALSE(catalog.faults().has_errors());
-  EXPECT_THAT(text_of(catalog.faults()),
+  EXPECT_THAT(text_of_faults(catalog.faults()),
               HasSubstr("events/Bad.lua:1: warning: the event 'Bad' cannot be used: "));
 }
 
@@ -63,8 +63,9 @@ TEST(Catalog, earlier_folder_goes_first_and_says_so) {
                "phases = { go = function() end } }");
   const Catalog catalog(std::vector<ScriptFolder>{{first.path(), "plan"}, {second.path(), ""}});
   EXPECT_EQ(catalog.declarations().events.at("Same").doc, "First.");
-  EXPECT_EQ(text_of(catalog.faults()), "plan/events/Same.lua: warning: is used in place of " +
-                                           second.path() + "/events/Same.lua\n");
+  EXPECT_EQ(
+      text_of_faults(catalog.faults()),
+      "plan/events/Same.lua: warning: is used in place of " + second.path() + "/events/Same.lua\n");
 }
 
 TEST(Catalog, equal_copies_are_no_matter) {
@@ -72,7 +73,7 @@ TEST(Catalog, equal_copies_are_no_matter) {
   first.write("events/Same.lua", sound_event);
   second.write("events/Same.lua", sound_event);
   const Catalog catalog(std::vector<std::string>{first.path(), second.path()});
-  EXPECT_EQ(text_of(catalog.faults()), "");
+  EXPECT_EQ(text_of_faults(catalog.faults()), "");
 }
 
 TEST(Catalog, folders_need_not_exist) {

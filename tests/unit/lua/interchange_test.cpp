@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const Declarations& shipped() {
+const Declarations& shipped_declarations() {
   static const Catalog catalog(std::vector<ScriptFolder>{{LSOS_SOURCE_DIR, ""}});
   return catalog.declarations();
 }
@@ -36,7 +36,7 @@ struct ReadBack {
 
 ReadBack read(const KmlSource& source) {
   Faults faults;
-  const Plan plan = read_plan("plan.kml", source, shipped(), faults);
+  const Plan plan = read_plan("plan.kml", source, shipped_declarations(), faults);
   ReadBack read{plan.hash(), 0, ""};
   for (const Fault& fault : faults.sorted()) {
     if (fault.what.find("as without a unit") == std::string::npos) ++read.faults;
@@ -49,22 +49,23 @@ const char* const endings[] = {".csv", ".xlsx", ".ods", ".geojson", ".gpkg", ".t
 
 // The plan after a way through a file with that ending.
 ReadBack through(const std::string& ending, const KmlSource& plan, const std::string& folder) {
-  const KmlSource things = plan_things(plan, shipped());
+  const KmlSource things = plan_things(plan, shipped_declarations());
   const bool is_map = ending == ".geojson" || ending == ".gpkg";
   const TableDivision division = ending == ".gpkg"                       ? TableDivision::by_type
                                  : ending == ".xlsx" || ending == ".ods" ? TableDivision::parts
                                                                          : TableDivision::none;
   const std::string file = folder + "/plan" + ending;
   std::ofstream(file, std::ios::binary)
-      << (ending == ".txt" ? outline_of(things, shipped(), landmarks(plan, shipped()))
-                           : tables_as(ending,
-                                       plan_tables(things, shipped(), division, is_map,
-                                                   landmarks(plan, shipped())),
-                                       *find_body("Moon"), file));
+      << (ending == ".txt"
+              ? outline_of(things, shipped_declarations(), landmarks(plan, shipped_declarations()))
+              : tables_as(ending,
+                          plan_tables(things, shipped_declarations(), division, is_map,
+                                      landmarks(plan, shipped_declarations())),
+                          *find_body("Moon"), file));
   std::vector<std::string> left_out;
   Faults faults;
-  const std::vector<Table> tables = read_tables(file, shipped(), left_out);
-  ImportedPlan imported = import_tables(tables, shipped(), faults);
+  const std::vector<Table> tables = read_tables(file, shipped_declarations(), left_out);
+  ImportedPlan imported = import_tables(tables, shipped_declarations(), faults);
   for (const Fault& fault : faults.sorted()) {
     if (fault.severity == Severity::error) ADD_FAILURE() << to_string(fault);
   }
@@ -183,8 +184,8 @@ class RandomPlan {
   }
 
   SourcePlacemark event(int number) {
-    auto chosen = shipped().events.begin();
-    std::advance(chosen, whole(0, static_cast<int>(shipped().events.size()) - 1));
+    auto chosen = shipped_declarations().events.begin();
+    std::advance(chosen, whole(0, static_cast<int>(shipped_declarations().events.size()) - 1));
     const EventDeclaration& declaration = chosen->second;
     SourcePlacemark made = thing(declaration.name, {{"RoverId", chance(0.7) ? "A" : "rover, two"},
                                                     {"Sequence", std::to_string(number * 7 + 3)}});

@@ -21,7 +21,7 @@ std::vector<std::string> script_names(const fs::path& folder) {
   return names;
 }
 
-std::string text_of(const fs::path& file) {
+std::string text_of_file(const fs::path& file) {
   std::ostringstream text;
   text << std::ifstream(file, std::ios::binary).rdbuf();
   return text.str();
@@ -51,7 +51,7 @@ std::string errors_of_script(const std::string& folder, const std::string& name,
 class Message : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(Message, is_as_expected) {
-  const std::string text = text_of(cases_folder / (GetParam() + ".lua"));
+  const std::string text = text_of_file(cases_folder / (GetParam() + ".lua"));
   std::istringstream in(text);
   const std::string expected = value_of(in, "-- expect: ");
   const std::string folder = value_of(in, "-- as: ");
@@ -59,7 +59,7 @@ TEST_P(Message, is_as_expected) {
   ASSERT_FALSE(expected.empty() || folder.empty()) << "the first two lines are wrong";
   ASSERT_TRUE(part.empty() || fs::exists(parts_folder / part)) << "no part " << part;
 
-  const std::string before = part.empty() ? "" : text_of(parts_folder / part);
+  const std::string before = part.empty() ? "" : text_of_file(parts_folder / part);
   const std::string errors = errors_of_script(folder, GetParam(), before + text);
   EXPECT_THAT(errors, ::testing::HasSubstr(expected));
   EXPECT_THAT(errors, ::testing::StartsWith(folder + "/" + GetParam() + ".lua"));
@@ -72,7 +72,7 @@ INSTANTIATE_TEST_SUITE_P(Script, Message, ::testing::ValuesIn(script_names(cases
 class MessagePart : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(MessagePart, is_right_by_itself) {
-  const std::string text = text_of(parts_folder / (GetParam() + ".lua"));
+  const std::string text = text_of_file(parts_folder / (GetParam() + ".lua"));
   EXPECT_EQ(errors_of_script("rovers", GetParam(), text + "return lsos.rover(whole())\n"), "");
 }
 

@@ -13,7 +13,7 @@ using ::testing::Not;
 std::string error_of(const std::string& text) { return EventRun::of_phase(text)->error(); }
 
 // The value of an expression in a phase, as text.
-std::string text_of(const std::string& expression) {
+std::string text_of_expression(const std::string& expression) {
   return std::get<Fail>(EventRun::of_phase("return lsos.fail('%s', " + expression + ")")->run())
       .reason;
 }
@@ -66,28 +66,30 @@ TEST(Sandbox, only_lsos_and_shared_scripts_can_be_required) {
 }
 
 TEST(Sandbox, pairs_goes_through_numbers_then_texts_in_order) {
-  EXPECT_EQ(text_of("(function() local t = { z = 1, b = 1, a = 1, [10] = 1, [2] = 1, [1.5] = 1 } "
-                    "local s = '' for k in pairs(t) do s = s .. k .. ' ' end return s end)()"),
+  EXPECT_EQ(text_of_expression(
+                "(function() local t = { z = 1, b = 1, a = 1, [10] = 1, [2] = 1, [1.5] = 1 } "
+                "local s = '' for k in pairs(t) do s = s .. k .. ' ' end return s end)()"),
             "1.5 2 10 a b z ");
   EXPECT_THAT(error_of("for _ in pairs { [true] = 1 } do end"),
               HasSubstr("a key is a boolean: only numbers and texts have an order"));
 }
 
 TEST(Sandbox, pairs_skips_what_the_loop_removes) {
-  EXPECT_EQ(text_of("(function() local t = { a = 1, b = 1, c = 1 } local s = '' "
-                    "for k in pairs(t) do s = s .. k t.b = nil end return s end)()"),
+  EXPECT_EQ(text_of_expression("(function() local t = { a = 1, b = 1, c = 1 } local s = '' "
+                               "for k in pairs(t) do s = s .. k t.b = nil end return s end)()"),
             "ac");
 }
 
 TEST(Sandbox, no_text_shows_an_address) {
-  EXPECT_EQ(text_of("tostring({})"), "table");
-  EXPECT_EQ(text_of("tostring(print) .. tostring(rover) .. tostring(lsos.done)"),
+  EXPECT_EQ(text_of_expression("tostring({})"), "table");
+  EXPECT_EQ(text_of_expression("tostring(print) .. tostring(rover) .. tostring(lsos.done)"),
             "functionroverlsos.answer");
-  EXPECT_EQ(text_of("('%s'):format({})"), "table");
-  EXPECT_EQ(text_of("tostring(setmetatable({}, { __tostring = function() return 'mine' end }))"),
+  EXPECT_EQ(text_of_expression("('%s'):format({})"), "table");
+  EXPECT_EQ(text_of_expression(
+                "tostring(setmetatable({}, { __tostring = function() return 'mine' end }))"),
             "mine");
   EXPECT_THAT(error_of("string.format('%5p', {})"), HasSubstr("'%p' is not allowed"));
-  EXPECT_EQ(text_of("string.format('%d%%p', 5)"), "5%p");
+  EXPECT_EQ(text_of_expression("string.format('%d%%p', 5)"), "5%p");
 }
 
 TEST(Sandbox, metatables_that_act_at_the_collectors_moment_are_refused) {
@@ -96,22 +98,24 @@ TEST(Sandbox, metatables_that_act_at_the_collectors_moment_are_refused) {
 }
 
 TEST(Sandbox, pcall_and_xpcall_catch_ordinary_errors) {
-  EXPECT_EQ(text_of("select(2, pcall(error, 'x', 0))"), "x");
-  EXPECT_EQ(text_of("select(3, pcall(function() return 1, 'two' end))"), "two");
-  EXPECT_EQ(text_of("select(2, xpcall(error, function(m) return m .. '!' end, 'x', 0))"), "x!");
-  EXPECT_EQ(text_of("select(2, xpcall(function(a) return a end, print, 'in'))"), "in");
+  EXPECT_EQ(text_of_expression("select(2, pcall(error, 'x', 0))"), "x");
+  EXPECT_EQ(text_of_expression("select(3, pcall(function() return 1, 'two' end))"), "two");
+  EXPECT_EQ(text_of_expression("select(2, xpcall(error, function(m) return m .. '!' end, 'x', 0))"),
+            "x!");
+  EXPECT_EQ(text_of_expression("select(2, xpcall(function(a) return a end, print, 'in'))"), "in");
 }
 
 TEST(Sandbox, sort_is_stable_and_survives_a_contradicting_order) {
-  EXPECT_EQ(text_of("(function() local t = { 'b1', 'a1', 'b2', 'a2', 'c1', 'a3' } "
-                    "table.sort(t, function(x, y) return x:sub(1, 1) < y:sub(1, 1) end) "
-                    "return table.concat(t, ' ') end)()"),
+  EXPECT_EQ(text_of_expression("(function() local t = { 'b1', 'a1', 'b2', 'a2', 'c1', 'a3' } "
+                               "table.sort(t, function(x, y) return x:sub(1, 1) < y:sub(1, 1) end) "
+                               "return table.concat(t, ' ') end)()"),
             "a1 a2 a3 b1 b2 c1");
-  EXPECT_EQ(text_of("(function() local t = {} for i = 1, 100 do t[i] = (i * 37) % 101 end "
-                    "table.sort(t) for i = 2, 100 do assert(t[i - 1] < t[i]) end return #t end)()"),
+  EXPECT_EQ(text_of_expression(
+                "(function() local t = {} for i = 1, 100 do t[i] = (i * 37) % 101 end "
+                "table.sort(t) for i = 2, 100 do assert(t[i - 1] < t[i]) end return #t end)()"),
             "100");
-  EXPECT_EQ(text_of("(function() local t = {} for i = 1, 100 do t[i] = i end "
-                    "table.sort(t, function() return true end) return #t end)()"),
+  EXPECT_EQ(text_of_expression("(function() local t = {} for i = 1, 100 do t[i] = i end "
+                               "table.sort(t, function() return true end) return #t end)()"),
             "100");
 }
 
@@ -169,27 +173,29 @@ TEST(Sandbox, functions_that_loop_inside_c_are_bounded) {
 }
 
 TEST(Sandbox, patterns_and_method_calls_are_there) {
-  EXPECT_EQ(text_of("('a*b'):rep(1000):find('b', 1, true)"), "3");
-  EXPECT_EQ(text_of("('key = value'):match('^(%w+)%s*=%s*(%w+)$')"), "key");
-  EXPECT_EQ(text_of("'10' + 1"), "11");
+  EXPECT_EQ(text_of_expression("('a*b'):rep(1000):find('b', 1, true)"), "3");
+  EXPECT_EQ(text_of_expression("('key = value'):match('^(%w+)%s*=%s*(%w+)$')"), "key");
+  EXPECT_EQ(text_of_expression("'10' + 1"), "11");
 }
 
 TEST(Sandbox, a_mode_that_comes_later_has_no_effect) {
-  EXPECT_EQ(text_of("(function() local m = {} local t = setmetatable({}, m) m.__mode = 'v' "
-                    "m.__gc = print t[1] = {} "
-                    "for i = 1, 2e4 do local garbage = { {}, {}, {}, {} } end "
-                    "return type(t[1]) .. m.__mode end)()"),
-            "tablev");
+  EXPECT_EQ(
+      text_of_expression("(function() local m = {} local t = setmetatable({}, m) m.__mode = 'v' "
+                         "m.__gc = print t[1] = {} "
+                         "for i = 1, 2e4 do local garbage = { {}, {}, {}, {} } end "
+                         "return type(t[1]) .. m.__mode end)()"),
+      "tablev");
 }
 
 TEST(Sandbox, classes_may_get_their_methods_before_and_after) {
-  EXPECT_EQ(text_of("(function() local C = {} local o = setmetatable({}, C) C.__index = C "
-                    "C.__add = function() return 'sum' end "
-                    "function C.name() return 'c' end "
-                    "local D = setmetatable({}, C) D.__index = D "
-                    "return setmetatable({}, D).name() .. (o + o) .. "
-                    "tostring(getmetatable(o) == C) end)()"),
-            "csumtrue");
+  EXPECT_EQ(
+      text_of_expression("(function() local C = {} local o = setmetatable({}, C) C.__index = C "
+                         "C.__add = function() return 'sum' end "
+                         "function C.name() return 'c' end "
+                         "local D = setmetatable({}, C) D.__index = D "
+                         "return setmetatable({}, D).name() .. (o + o) .. "
+                         "tostring(getmetatable(o) == C) end)()"),
+      "csumtrue");
 }
 
 TEST(Sandbox, errors_whose_value_is_no_text_name_their_line) {

@@ -12,7 +12,7 @@ namespace {
 using test::Mission;
 using ::testing::HasSubstr;
 
-Mission two_rovers() {
+Mission mission_of_two() {
   Mission mission;
   mission.rover("A");
   mission.event("Twice");
@@ -44,14 +44,14 @@ std::string refusal(const Mission& mission, const std::string& state) {
 }
 
 TEST(ForeignState, is_taken_up_when_nothing_was_changed) {
-  const Mission mission = two_rovers();
+  const Mission mission = mission_of_two();
   for (const double time_s : {0.1, 5.0, 15.0, 22.0, 25.0}) {
     EXPECT_EQ(refusal(mission, state_at(mission, time_s)), "") << time_s;
   }
 }
 
 TEST(ForeignState, may_differ_anywhere) {
-  const Mission mission = two_rovers();
+  const Mission mission = mission_of_two();
   const std::string state = state_at(mission, 23);
   int refused = 0;
   for (std::size_t at = 0; at < state.size(); at += 509) {
@@ -64,15 +64,15 @@ TEST(ForeignState, may_differ_anywhere) {
 }
 
 TEST(ForeignState, is_not_cut_or_lengthened) {
-  const Mission mission = two_rovers();
+  const Mission mission = mission_of_two();
   const std::string state = state_at(mission, 5);
   EXPECT_THAT(refusal(mission, state.substr(0, state.size() / 2)), HasSubstr("ends too early"));
   EXPECT_THAT(refusal(mission, state + "x"), HasSubstr("longer than the program expects"));
 }
 
 TEST(ForeignState, is_of_this_mission) {
-  const Mission mission = two_rovers();
-  Mission empty, other, fewer = two_rovers(), timed = two_rovers();
+  const Mission mission = mission_of_two();
+  Mission empty, other, fewer = mission_of_two(), timed = mission_of_two();
   empty.rover("A");  // this mission is over where it begins
   other.rover("A").event("Hold", 5);
   fewer.setup_.plan.events.pop_back();

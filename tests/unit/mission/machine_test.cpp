@@ -19,7 +19,7 @@ Declarations declarations() {
   return all;
 }
 
-Plan two_rovers() {
+Plan plan_of_two() {
   Plan plan;
   plan.mission.planet = find_body("Moon");
   for (const char* id : {"A", "B"}) {
@@ -40,7 +40,7 @@ Plan two_rovers() {
 }
 
 TEST(Machine, has_one_machine_a_rover_with_its_events_in_sequence) {
-  const MissionMachine machine = synthesise(two_rovers(), declarations());
+  const MissionMachine machine = synthesise(plan_of_two(), declarations());
   ASSERT_EQ(machine.rovers.size(), 2u);
   ASSERT_EQ(machine.rovers[1].events.size(), 2u);
   EXPECT_EQ(machine.rovers[1].events[0].event.sequence, 10);
@@ -48,7 +48,7 @@ TEST(Machine, has_one_machine_a_rover_with_its_events_in_sequence) {
 }
 
 TEST(Machine, is_drawn_from_initialise_through_every_rover_to_terminate) {
-  Plan plan = two_rovers();
+  Plan plan = plan_of_two();
   plan.events[2].start_after = {{"A", 20}};
   plan.events[0].on_failure = OnFailure::go_to;
   plan.events[0].go_to_sequence = 20;
@@ -63,7 +63,7 @@ TEST(Machine, is_drawn_from_initialise_through_every_rover_to_terminate) {
 
 // Graphviz lays the ranks, which are the columns, side by side.
 TEST(Machine, of_many_events_is_drawn_in_rows) {
-  Plan plan = two_rovers();
+  Plan plan = plan_of_two();
   plan.events.clear();
   for (int sequence = 1; sequence <= 15; ++sequence) {
     PlanEvent event;

@@ -5,12 +5,13 @@
 
 #include <cmath>
 
+#include "base/sim_time.h"
 #include "test_mission.h"
 
 namespace lsos {
 namespace {
 
-constexpr double hour_s = 3600, day_s = 24 * hour_s;
+constexpr double an_hour_s = 3600;
 
 // A made-up month: each day a drive of some hours from 8 h on, the rest it stands. Simulated drives
 // take `wall_per_hour_s` of wall time an hour, standing next to nothing.
@@ -21,14 +22,14 @@ struct Month {
 
   double all_drive_s() const {
     double sum_s = 0;
-    for (int day = 0; day < days; ++day) sum_s += hour_s * drive_hours_of(day);
+    for (int day = 0; day < days; ++day) sum_s += an_hour_s * drive_hours_of(day);
     return sum_s;
   }
   // Calls visit(wall time so far, mission time, work, estimate) after each hour; returns the wall
   // time of all. Drives take `longer` times what is planned.
   template <class Visit>
   double run(double longer, const Visit& visit) const {
-    MissionWork work{0, all_drive_s(), days * day_s};
+    MissionWork work{0, all_drive_s(), days * day_length_s};
     TimeLeft left(work);
     double wall_s = 0;
     for (int day = 0; day < days; ++day) {
@@ -38,12 +39,12 @@ struct Month {
         to_drive_hours -= driven;
         const double drive_wall_s = driven * wall_per_hour_s;
         const double stand_wall_s = (1 - driven) * stand_wall_per_hour_s;
-        if (driven > 0) left.add(drive_wall_s, driven * hour_s, true);
-        if (driven < 1) left.add(stand_wall_s, (1 - driven) * hour_s, false);
+        if (driven > 0) left.add(drive_wall_s, driven * an_hour_s, true);
+        if (driven < 1) left.add(stand_wall_s, (1 - driven) * an_hour_s, false);
         wall_s += drive_wall_s + stand_wall_s;
-        work.driven_s += driven * hour_s / longer;
-        work.to_drive_s = std::max(0.0, work.to_drive_s - driven * hour_s / longer);
-        const double now_s = day * day_s + (hour + 1) * hour_s;
+        work.driven_s += driven * an_hour_s / longer;
+        work.to_drive_s = std::max(0.0, work.to_drive_s - driven * an_hour_s / longer);
+        const double now_s = day * day_length_s + (hour + 1) * an_hour_s;
         visit(wall_s, now_s, left.left_s(work, now_s));
       }
     }
@@ -80,8 +81,8 @@ TEST(TimeLeft, by_mission_time_would_be_far_off) {
   const double all_s = month.run(1, [](double, double, std::optional<double>) {});
   double greatest = 0;
   month.run(1, [&](double wall_s, double now_s, std::optional<double>) {
-    if (now_s < day_s / 2) return;
-    const double naive_s = wall_s * Month::days * day_s / now_s;
+    if (now_s < day_length_s / 2) return;
+    const double naive_s = wall_s * Month::days * day_length_s / now_s;
     greatest = std::max(greatest, std::abs(naive_s - all_s) / all_s);
   });
   EXPECT_GT(greatest, 0.1);

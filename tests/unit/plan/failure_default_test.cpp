@@ -11,7 +11,7 @@ using test::pause;
 using test::rover;
 using ::testing::HasSubstr;
 
-Plan good(const std::string& placemarks) {
+Plan plan_without_faults(const std::string& placemarks) {
   Faults faults;
   const Plan plan =
       read_plan(test::write_file(test::document(placemarks)), test::declarations(), faults);
@@ -20,9 +20,9 @@ Plan good(const std::string& placemarks) {
 }
 
 TEST(FailureDefault, of_event_rover_and_mission_come_in_that_order) {
-  const Plan plan =
-      good(mission({{"OnFailure", "skip"}}) + rover("A", {{"OnFailure", "abort"}}) + rover("B") +
-           pause("a", "A", 1, {{"OnFailure", "stop"}}) + pause("b", "A", 2) + pause("c", "B", 1));
+  const Plan plan = plan_without_faults(
+      mission({{"OnFailure", "skip"}}) + rover("A", {{"OnFailure", "abort"}}) + rover("B") +
+      pause("a", "A", 1, {{"OnFailure", "stop"}}) + pause("b", "A", 2) + pause("c", "B", 1));
   EXPECT_EQ(plan.events.at(0).on_failure, OnFailure::stop);
   EXPECT_EQ(plan.events.at(1).on_failure, OnFailure::abort);
   EXPECT_EQ(plan.events.at(2).on_failure, OnFailure::skip);
@@ -34,10 +34,10 @@ TEST(FailureDefault, of_event_rover_and_mission_come_in_that_order) {
 // Each rover goes to its own next event of that name, and stops where none follows: none goes
 // round.
 TEST(FailureDefault, of_a_mission_goes_to_each_rovers_next_event_so_called) {
-  const Plan plan = good(mission({{"OnFailure", "goto Home"}}) + rover("A") + rover("B") +
-                         rover("C") + pause("leg", "A", 1) + pause("Home", "A", 2) +
-                         pause("leg", "A", 3) + pause("Home", "A", 4) + pause("rest", "A", 5) +
-                         pause("leg", "B", 7) + pause("Home", "B", 9) + pause("leg", "C", 1));
+  const Plan plan = plan_without_faults(
+      mission({{"OnFailure", "goto Home"}}) + rover("A") + rover("B") + rover("C") +
+      pause("leg", "A", 1) + pause("Home", "A", 2) + pause("leg", "A", 3) + pause("Home", "A", 4) +
+      pause("rest", "A", 5) + pause("leg", "B", 7) + pause("Home", "B", 9) + pause("leg", "C", 1));
   const std::vector<std::int64_t> to{2, 4, 4, 0, 0, 9, 0, 0};
   for (std::size_t i = 0; i < to.size(); ++i) {
     const PlanEvent& event = plan.events.at(i);

@@ -41,7 +41,7 @@ TEST(FarPlaces, distances_are_told_with_as_many_digits_as_matter) {
 }
 
 // The faults of a plan with one rover at 31,20 and these events.
-std::string faults_of(const std::string& events) {
+std::string faults_of_events(const std::string& events) {
   const std::string file =
       test::write_file(test::document(test::mission() + test::rover() + events));
   Faults faults;
@@ -55,8 +55,8 @@ std::string drive(int sequence, const std::string& coordinates) {
 
 TEST(FarPlaces, long_legs_are_no_slip_where_all_are_long) {
   // Legs of 12 km: 0.4 degrees of latitude on the Moon.
-  EXPECT_EQ(faults_of(drive(1, "31,20 31,20.4") + drive(2, "31,20.4 31,20.8 31,21.2")), "");
-  EXPECT_THAT(faults_of(drive(1, "31,20 31,20.001 31,20.4") + drive(2, "31,20.4 31,20.401")),
+  EXPECT_EQ(faults_of_events(drive(1, "31,20 31,20.4") + drive(2, "31,20.4 31,20.8 31,21.2")), "");
+  EXPECT_THAT(faults_of_events(drive(1, "31,20 31,20.001 31,20.4") + drive(2, "31,20.4 31,20.401")),
               ::testing::HasSubstr("waypoint 3 (31.000000,20.400000) is 12 km from waypoint 2"));
 }
 
@@ -95,11 +95,11 @@ TEST(FarPlaces, near_equal_longitude_and_latitude_are_no_slip) {
 }
 
 TEST(FarPlaces, an_altitude_that_is_no_number_is_none) {
-  EXPECT_EQ(faults_of(drive(1, "31,20,nan 31.001,20,NaN")), "");
-  EXPECT_EQ(faults_of(drive(1, "31,20,\n31.001,20,\n31.002,20,")), "");
-  EXPECT_EQ(faults_of(drive(1, "31 , 20 , 31.001 , 20 , 31.002 , 20 ,")), "");
+  EXPECT_EQ(faults_of_events(drive(1, "31,20,nan 31.001,20,NaN")), "");
+  EXPECT_EQ(faults_of_events(drive(1, "31,20,\n31.001,20,\n31.002,20,")), "");
+  EXPECT_EQ(faults_of_events(drive(1, "31 , 20 , 31.001 , 20 , 31.002 , 20 ,")), "");
   // A number after a comma and a blank is an altitude.
-  EXPECT_EQ(faults_of(drive(1, "31, 20, 0\n31.001, 20, 5")), "");
+  EXPECT_EQ(faults_of_events(drive(1, "31, 20, 0\n31.001, 20, 5")), "");
 }
 
 }  // namespace

@@ -25,12 +25,12 @@ std::string folder(const std::string& name, const std::string& inner) {
   return "<Folder><name>" + name + "</name>" + inner + "</Folder>\n";
 }
 
-struct Read {
+struct ReadText {
   Plan plan;
   std::string faults_text;
 };
 
-Read read(const std::string& placemarks) {
+ReadText read_text(const std::string& placemarks) {
   Faults faults;
   Plan plan = read_plan(test::write_file(test::document(placemarks)), test::declarations(), faults);
   return {std::move(plan), test::faults_text(faults)};
@@ -52,20 +52,21 @@ std::string plain() {
 }
 
 TEST(MapTools, a_type_in_data_says_what_a_placemark_is) {
-  const Read data_only = read(marked("m", data(typed("MissionInfo", mission_fields_text))) +
-                              marked("r", data(typed("Rover", rover_fields_text)) + test::point()) +
-                              marked("leg", data(typed("Route", route_fields)) + test::line()));
+  const ReadText data_only =
+      read_text(marked("m", data(typed("MissionInfo", mission_fields_text))) +
+                marked("r", data(typed("Rover", rover_fields_text)) + test::point()) +
+                marked("leg", data(typed("Route", route_fields)) + test::line()));
   EXPECT_EQ(data_only.faults_text, "");
-  EXPECT_EQ(data_only.plan.hash(), read(plain()).plan.hash());
+  EXPECT_EQ(data_only.plan.hash(), read_text(plain()).plan.hash());
 }
 
 TEST(MapTools, a_folder_says_what_its_placemarks_are) {
-  const Read folders =
-      read(folder("MissionInfo", marked("m", data(mission_fields_text))) +
-           folder("Rover", folder("today", marked("r", data(rover_fields_text) + test::point()))) +
-           folder("Pause", folder("Route", marked("leg", data(route_fields) + test::line()))));
+  const ReadText folders = read_text(
+      folder("MissionInfo", marked("m", data(mission_fields_text))) +
+      folder("Rover", folder("today", marked("r", data(rover_fields_text) + test::point()))) +
+      folder("Pause", folder("Route", marked("leg", data(route_fields) + test::line()))));
   EXPECT_EQ(folders.faults_text, "");
-  EXPECT_EQ(folders.plan.hash(), read(plain()).plan.hash());
+  EXPECT_EQ(folders.plan.hash(), read_text(plain()).plan.hash());
 }
 
 // GIS tools save a layer of many kinds with one Schema for all, which has the layer's name.
@@ -77,11 +78,11 @@ TEST(MapTools, a_type_counts_where_the_schema_is_named_after_a_layer) {
   Fields route = typed("Route", route_fields);
   for (const char* name : {"tessellate", "Visibility", "FID"}) route.emplace_back(name, "-1");
   route.emplace_back("Duration", "");
-  const Read layer = read(stamped("m", typed("MissionInfo", mission_fields_text), "") +
-                          stamped("r", typed("Rover", rover_fields_text), test::point()) +
-                          stamped("leg", route, test::line()));
+  const ReadText layer = read_text(stamped("m", typed("MissionInfo", mission_fields_text), "") +
+                                   stamped("r", typed("Rover", rover_fields_text), test::point()) +
+                                   stamped("leg", route, test::line()));
   EXPECT_EQ(layer.faults_text, "");
-  EXPECT_EQ(layer.plan.hash(), read(plain()).plan.hash());
+  EXPECT_EQ(layer.plan.hash(), read_text(plain()).plan.hash());
 }
 
 TEST(MapTools, data_beside_schema_data_are_fields_too) {
@@ -92,14 +93,14 @@ TEST(MapTools, data_beside_schema_data_are_fields_too) {
                "<Data name=\"Speed\"><value>2 km/h</value></Data>"
                "<Data name=\"Sequence\"><value>10</value></Data>" +
                    at + test::line());
-  const Read joined = read(test::mission() + test::rover() + both);
+  const ReadText joined = read_text(test::mission() + test::rover() + both);
   EXPECT_EQ(joined.faults_text, "");
-  EXPECT_EQ(joined.plan.hash(), read(plain()).plan.hash());
+  EXPECT_EQ(joined.plan.hash(), read_text(plain()).plan.hash());
 }
 
 TEST(MapTools, foreign_types_and_data_are_decoration) {
-  const Read decorated =
-      read(plain() + marked("trail", data({{"Type", "asphalt"}, {"width", "3"}}) + test::line()));
+  const ReadText decorated = read_text(
+      plain() + marked("trail", data({{"Type", "asphalt"}, {"width", "3"}}) + test::line()));
   EXPECT_EQ(decorated.faults_text, "");
   EXPECT_EQ(decorated.plan.decoration_count, 1);
 }

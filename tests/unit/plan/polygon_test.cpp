@@ -23,7 +23,7 @@ Declarations declarations() {
 }
 
 // The faults of a plan with one rover at 31,20 and these events.
-std::string faults_of(const std::string& events) {
+std::string faults_of_polygon(const std::string& events) {
   const std::string file =
       test::write_file(test::document(test::mission() + test::rover() + events));
   Faults faults;
@@ -49,42 +49,44 @@ std::string rest_at(int sequence, const std::string& coordinates) {
 constexpr const char* area = "31,20 31.0105,20 31.0105,20.01 31,20.01 31,20";
 
 TEST(Polygon, that_crosses_or_touches_itself_is_refused) {
-  EXPECT_EQ(faults_of(survey(1, area)), "");
-  EXPECT_THAT(faults_of(survey(1, "31,20 31.01,20.01 31.01,20 31,20.01 31,20")),
+  EXPECT_EQ(faults_of_polygon(survey(1, area)), "");
+  EXPECT_THAT(faults_of_polygon(survey(1, "31,20 31.01,20.01 31.01,20 31,20.01 31,20")),
               HasSubstr("Survey 'area': the outline of the Polygon crosses itself"));
+  EXPECT_THAT(faults_of_polygon(
+                  survey(1, "31,20 31.01,20 31.005,20.005 31.01,20.01 31,20.01 31.005,20.005")),
+              HasSubstr("Survey 'area': the outline of the Polygon touches itself"));
   EXPECT_THAT(
-      faults_of(survey(1, "31,20 31.01,20 31.005,20.005 31.01,20.01 31,20.01 31.005,20.005")),
-      HasSubstr("Survey 'area': the outline of the Polygon touches itself"));
-  EXPECT_THAT(faults_of(survey(1, area, "31.002,20.002 31.005,20.005 31.005,20.002 31.002,20.005")),
-              HasSubstr("Survey 'area': hole 1 of the Polygon crosses itself"));
+      faults_of_polygon(survey(1, area, "31.002,20.002 31.005,20.005 31.005,20.002 31.002,20.005")),
+      HasSubstr("Survey 'area': hole 1 of the Polygon crosses itself"));
 }
 
 TEST(Polygon, may_have_corners_that_are_written_twice) {
-  EXPECT_EQ(
-      faults_of(survey(1, "31,20 31.0105,20 31.0105,20 31.0105,20.01 31,20.01 31,20 31,20",
+  EXPECT_EQ(faults_of_polygon(
+                survey(1, "31,20 31.0105,20 31.0105,20 31.0105,20.01 31,20.01 31,20 31,20",
                        "31.002,20.002 31.005,20.002 31.005,20.002 31.005,20.005 31.002,20.005")),
-      "");
-  EXPECT_THAT(faults_of(survey(1, "31,20 31,20 31.01,20 31.01,20 31,20")),
+            "");
+  EXPECT_THAT(faults_of_polygon(survey(1, "31,20 31,20 31.01,20 31.01,20 31,20")),
               HasSubstr("Polygon has 2 corners; three or more are wanted"));
 }
 
 TEST(Polygon, leaves_a_rover_anywhere_within) {
-  EXPECT_EQ(faults_of(survey(1, area) + rest_at(2, "31.0105,20.0")), "");
-  EXPECT_EQ(faults_of(survey(1, area) + rest_at(2, "31.005,20.005")), "");
-  EXPECT_THAT(faults_of(survey(1, area) + rest_at(2, "31.005,20.02")),
+  EXPECT_EQ(faults_of_polygon(survey(1, area) + rest_at(2, "31.0105,20.0")), "");
+  EXPECT_EQ(faults_of_polygon(survey(1, area) + rest_at(2, "31.005,20.005")), "");
+  EXPECT_THAT(faults_of_polygon(survey(1, area) + rest_at(2, "31.005,20.02")),
               HasSubstr("its Point is 303 m from where rover 'A' then is expected"));
   // The leg to the next waypoint is still measured.
-  EXPECT_THAT(
-      faults_of(survey(1, area) + test::event("Route", "leg", "A", 2, {}, test::line("0,0 31,20"))),
-      HasSubstr("waypoint 1 (0.000000,0.000000) is"));
+  EXPECT_THAT(faults_of_polygon(survey(1, area) +
+                                test::event("Route", "leg", "A", 2, {}, test::line("0,0 31,20"))),
+              HasSubstr("waypoint 1 (0.000000,0.000000) is"));
 }
 
 TEST(Meeting, leaves_a_rover_at_a_place_that_is_not_known) {
   const std::string meet = test::event("Meet", "both", "A", 1);
-  EXPECT_EQ(faults_of(meet + rest_at(2, "31.1,20")), "");
-  EXPECT_THAT(faults_of(meet + test::event("Route", "leg", "A", 2, {}, test::point("31.1,20")) +
+  EXPECT_EQ(faults_of_polygon(meet + rest_at(2, "31.1,20")), "");
+  EXPECT_THAT(
+      faults_of_polygon(meet + test::event("Route", "leg", "A", 2, {}, test::point("31.1,20")) +
                         rest_at(3, "31,20")),
-              HasSubstr("its Point is 2.8 km from where rover 'A' then is expected"));
+      HasSubstr("its Point is 2.8 km from where rover 'A' then is expected"));
 }
 
 }  // namespace

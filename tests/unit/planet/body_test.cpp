@@ -9,7 +9,7 @@
 namespace lsos {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 const Body& moon() { return *find_body("Moon"); }
 const Body& mars() { return *find_body("Mars"); }

@@ -10,7 +10,7 @@
 namespace lsos {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 SiteFrame frame(std::string_view body, double lon_deg, double lat_deg, double height_m = 0) {
   return {*find_body(body), geodetic_from_degrees(lon_deg, lat_deg, height_m)};

@@ -16,7 +16,7 @@ using ::testing::Field;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-RunSummary test_summary() {
+RunSummary compared_summary() {
   RunSummary summary;
   summary.plan = "plan.kml";
   summary.log_sha256 = "1";
@@ -31,10 +31,10 @@ Comparison comparison(const RunSummary& a, const RunSummary& b) {
 }
 
 TEST(Compare, finds_nothing_in_equal_runs) {
-  RunSummary other = test_summary();
+  RunSummary other = compared_summary();
   other.wall_s = 99;
   other.plan = "elsewhere/plan.kml";
-  const Comparison found = comparison(test_summary(), other);
+  const Comparison found = comparison(compared_summary(), other);
   EXPECT_TRUE(found.is_equal());
   EXPECT_TRUE(found.has_equal_logs());
   EXPECT_THAT(found.made_of, IsEmpty());
@@ -42,7 +42,7 @@ TEST(Compare, finds_nothing_in_equal_runs) {
 
 // The runs have the same number of warnings, but different ones.
 TEST(Compare, tells_warnings_that_one_run_has_alone_in_full) {
-  RunSummary one = test_summary(), other = test_summary();
+  RunSummary one = compared_summary(), other = compared_summary();
   const std::string begin = "the way of SEV1 to its first waypoint is longer than ";
   one.warnings = {"the same in both", begin + "2986 m"};
   other.warnings = {begin + "5973 m", "the same in both"};
@@ -55,7 +55,7 @@ TEST(Compare, tells_warnings_that_one_run_has_alone_in_full) {
 
 // Warnings name a plan as it was typed, and its lines may have moved.
 TEST(Compare, takes_warnings_of_other_places_for_the_same) {
-  RunSummary one = test_summary(), other = test_summary();
+  RunSummary one = compared_summary(), other = compared_summary();
   one.warnings = {"plan.kml:12: Pause 10 is far away"};
   other.warnings = {"../plans/plan.kml:13: Pause 10 is far away"};
   EXPECT_TRUE(comparison(one, other).is_equal());
@@ -66,7 +66,7 @@ TEST(Compare, takes_warnings_of_other_places_for_the_same) {
 }
 
 TEST(Compare, counts_warnings_that_come_more_than_once) {
-  RunSummary one = test_summary(), other = test_summary();
+  RunSummary one = compared_summary(), other = compared_summary();
   one.warnings = {"B is near", "B is near", "B is near"};
   other.warnings = {"B is near"};
   EXPECT_EQ(comparison(one, other).differences.size(), 2u);
@@ -74,11 +74,11 @@ TEST(Compare, counts_warnings_that_come_more_than_once) {
 }
 
 TEST(Compare, tells_values_of_both_and_how_much_they_changed) {
-  RunSummary other = test_summary();
+  RunSummary other = compared_summary();
   other.log_sha256 = "2";
   other.rovers["SEV1"].distance_m = 125;
   other.events[0].status = EventStatus::failed;
-  const Comparison found = comparison(test_summary(), other);
+  const Comparison found = comparison(compared_summary(), other);
   EXPECT_FALSE(found.has_equal_logs());
   ASSERT_THAT(found.differences, ElementsAre(Field(&Difference::quantity, "distance_m"),
                                              Field(&Difference::quantity, "status")));
@@ -90,7 +90,7 @@ TEST(Compare, tells_values_of_both_and_how_much_they_changed) {
 }
 
 TEST(Compare, tells_people_quantities_in_the_units_of_the_report) {
-  RunSummary one = test_summary(), other = test_summary();
+  RunSummary one = compared_summary(), other = compared_summary();
   RoverSummary& rover = one.rovers["SEV1"];
   rover.distance_m = 3450;
   rover.duration_s = 5400;
@@ -113,10 +113,10 @@ TEST(Compare, tells_people_quantities_in_the_units_of_the_report) {
 }
 
 TEST(Compare, tells_rovers_and_events_that_only_one_run_has) {
-  RunSummary other = test_summary();
+  RunSummary other = compared_summary();
   other.rovers["SEV2"] = {};
   other.events[0].sequence = 20;
-  const Comparison found = comparison(test_summary(), other);
+  const Comparison found = comparison(compared_summary(), other);
   ASSERT_EQ(found.differences.size(), 3u);
   EXPECT_EQ(found.differences[0].of, "rover SEV2");
   EXPECT_EQ(found.differences[0].a, "false");
@@ -126,16 +126,16 @@ TEST(Compare, tells_rovers_and_events_that_only_one_run_has) {
 
 TEST(Compare, tells_what_runs_were_made_of_apart_from_what_they_came_to) {
   const Comparison found =
-      compare({to_json(test_summary()), {{"seed", "0"}}, test_summary().log_sha256},
-              {to_json(test_summary()), {{"seed", "1"}}, test_summary().log_sha256});
+      compare({to_json(compared_summary()), {{"seed", "0"}}, compared_summary().log_sha256},
+              {to_json(compared_summary()), {{"seed", "1"}}, compared_summary().log_sha256});
   EXPECT_TRUE(found.is_equal());
   ASSERT_THAT(found.made_of, ElementsAre(Field(&Difference::quantity, "seed")));
 }
 
 // Such a summary belongs to a log that no longer exists.
 TEST(Compare, believes_no_summary_whose_log_has_changed) {
-  const ComparedRun run{to_json(test_summary()), {}, "1"};
-  const ComparedRun changed{to_json(test_summary()), {}, "2"};
+  const ComparedRun run{to_json(compared_summary()), {}, "1"};
+  const ComparedRun changed{to_json(compared_summary()), {}, "2"};
   const Comparison found = compare(run, changed);
   EXPECT_FALSE(found.is_equal());
   EXPECT_FALSE(found.has_equal_logs());

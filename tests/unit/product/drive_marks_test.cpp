@@ -21,7 +21,7 @@ SampleRow row_at(double time_s, double distance_m, double speed_mps) {
   return row;
 }
 
-EventRow event_of(double start_s, double end_s) {
+EventRow drive_event(double start_s, double end_s) {
   EventRow event;
   event.rover_id = "A";
   event.start = after(start_s);
@@ -59,7 +59,8 @@ std::vector<double> kept_s(const std::vector<SampleRow>& rows, const std::vector
 
 TEST(DriveMarks, show_all_of_a_short_drive_after_days_of_standing) {
   const double drive_s = 3 * 86400;
-  const std::vector<EventRow> events{event_of(0.1, drive_s), event_of(drive_s, drive_s + 20.3)};
+  const std::vector<EventRow> events{drive_event(0.1, drive_s),
+                                     drive_event(drive_s, drive_s + 20.3)};
   const std::vector<double> times_s = kept_s(pause_and_drive(), events, 2000);
   for (double at_s = drive_s; at_s <= drive_s + 20; at_s += 2) {
     EXPECT_THAT(times_s, Contains(at_s));
@@ -97,7 +98,7 @@ TEST(DriveMarks, have_the_first_and_last_row_of_each_event) {
   std::vector<SampleRow> rows;
   for (int k = 0; k < 50'000; ++k) rows.push_back(row_at(2 * k, 0, 0));
   std::vector<EventRow> events;
-  for (int k = 0; k < 100; ++k) events.push_back(event_of(1000.5 * k, 1000.5 * k + 61));
+  for (int k = 0; k < 100; ++k) events.push_back(drive_event(1000.5 * k, 1000.5 * k + 61));
   const std::vector<double> times_s = kept_s(rows, events, 2000);
   for (const EventRow& event : events) {
     EXPECT_THAT(times_s, Contains(2 * std::ceil(seconds(*event.start) / 2)));
@@ -112,7 +113,7 @@ TEST(DriveMarks, keep_to_their_number_among_thousands_of_stops_and_events) {
   std::vector<EventRow> events;
   for (int k = 0; k < 30'000; ++k) {
     rows.push_back(row_at(2 * k, 0.5 * k, k % 3 == 0 ? 0 : 1));
-    if (k % 5 == 0) events.push_back(event_of(2 * k, 2 * k + 5));
+    if (k % 5 == 0) events.push_back(drive_event(2 * k, 2 * k + 5));
   }
   for (const std::size_t most : {10u, 100u, 2000u}) {
     const std::vector<double> times_s = kept_s(rows, events, most);

@@ -16,22 +16,22 @@ using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
 const std::vector<std::string> ids = {"SEV1", "SEV2"};
-const SiteFrame site(*find_body("Moon"), {radians(10), radians(20), 0});
+const SiteFrame mars_site(*find_body("Moon"), {radians(10), radians(20), 0});
 
-MeasuredStates at(double time_s, const std::string& rows, double ground_m = 0) {
+MeasuredStates states_at(double time_s, const std::string& rows, double ground_m = 0) {
   const RunExtent extent{test_start(), SimTime{3'600'000'000}, ids};
   return last_measured(read_telemetry("t.csv", rows, extent), from_seconds(time_s), ids,
-                       {&site, [&](const Geodetic&) { return ground_m; }});
+                       {&mars_site, [&](const Geodetic&) { return ground_m; }});
 }
 
 TEST(LastMeasured, is_the_last_value_of_each_kind_up_to_the_moment) {
-  const MeasuredStates states = at(30,
-                                   "time_s,rover_id,lon_deg,lat_deg,heading_deg,charge\n"
-                                   "10,SEV1,1,2,90,0.9\n"
-                                   "20,SEV1,,,100,0.8\n"
-                                   "30,SEV1,3,4,,\n"
-                                   "31,SEV1,5,6,110,0.7\n"
-                                   "30,SEV2,,,,0.5\n");
+  const MeasuredStates states = states_at(30,
+                                          "time_s,rover_id,lon_deg,lat_deg,heading_deg,charge\n"
+                                          "10,SEV1,1,2,90,0.9\n"
+                                          "20,SEV1,,,100,0.8\n"
+                                          "30,SEV1,3,4,,\n"
+                                          "31,SEV1,5,6,110,0.7\n"
+                                          "30,SEV2,,,,0.5\n");
   ASSERT_THAT(states.rovers, SizeIs(2));
   const LastMeasured& last = states.rovers.at("SEV1");
   EXPECT_DOUBLE_EQ(last.state.place->lon_rad, radians(3));
@@ -46,11 +46,11 @@ TEST(LastMeasured, is_the_last_value_of_each_kind_up_to_the_moment) {
 }
 
 TEST(LastMeasured, has_places_on_the_site_and_energies_too) {
-  const MeasuredStates states = at(30,
-                                   "time_s,rover_id,x_m,y_m,energy_kWh\n"
-                                   "10,SEV1,100,0,2\n"
-                                   "20,SEV1,0,-50,\n"
-                                   "25,SEV1,7,,\n");
+  const MeasuredStates states = states_at(30,
+                                          "time_s,rover_id,x_m,y_m,energy_kWh\n"
+                                          "10,SEV1,100,0,2\n"
+                                          "20,SEV1,0,-50,\n"
+                                          "25,SEV1,7,,\n");
   const MeasuredState& state = states.rovers.at("SEV1").state;
   EXPECT_NEAR(state.place->lon_rad, radians(10), 1e-12);
   // 50 m south on a sphere of 1737.4 km.
@@ -63,9 +63,9 @@ TEST(LastMeasured, has_places_on_the_site_and_energies_too) {
 // 21 m farther than that on the ground.
 TEST(LastMeasured, has_places_far_from_the_site_on_the_ground) {
   const Geodetic place{radians(10), radians(20) - 50'000 / 1'738'400.0, 1000};
-  const Vec3 p_S_m = site.p_S_m(place);
+  const Vec3 p_S_m = mars_site.p_S_m(place);
   const auto latitude = [&](const std::string& rows) {
-    return at(30, rows, 1000).rovers.at("SEV1").state.place->lat_rad;
+    return states_at(30, rows, 1000).rovers.at("SEV1").state.place->lat_rad;
   };
   EXPECT_NEAR(
       latitude(fmt::format("time_s,rover_id,x_m,y_m\n10,SEV1,{},{}\n", p_S_m.x(), p_S_m.y())),
@@ -76,10 +76,10 @@ TEST(LastMeasured, has_places_far_from_the_site_on_the_ground) {
 }
 
 TEST(LastMeasured, is_the_later_of_charge_and_energy) {
-  const MeasuredStates states = at(30,
-                                   "time_s,rover_id,charge,energy_kWh\n"
-                                   "10,SEV1,0.9,\n20,SEV1,,2\n"
-                                   "10,SEV2,,2\n20,SEV2,0.9,\n");
+  const MeasuredStates states = states_at(30,
+                                          "time_s,rover_id,charge,energy_kWh\n"
+                                          "10,SEV1,0.9,\n20,SEV1,,2\n"
+                                          "10,SEV2,,2\n20,SEV2,0.9,\n");
   EXPECT_FALSE(states.rovers.at("SEV1").state.charge);
   EXPECT_DOUBLE_EQ(*states.rovers.at("SEV1").state.energy_j, 7.2e6);
   EXPECT_DOUBLE_EQ(*states.rovers.at("SEV2").state.charge, 0.9);
@@ -87,7 +87,8 @@ TEST(LastMeasured, is_the_later_of_charge_and_energy) {
 }
 
 TEST(LastMeasured, warns_of_old_values_and_of_rovers_without_any) {
-  const MeasuredStates states = at(100, "time_s,rover_id,charge\n10,SEV1,0.9\n101,SEV2,0.5\n");
+  const MeasuredStates states =
+      states_at(100, "time_s,rover_id,charge\n10,SEV1,0.9\n101,SEV2,0.5\n");
   ASSERT_THAT(states.warnings, SizeIs(2));
   EXPECT_EQ(to_string(states.warnings[0]),
             "t.csv:2: warning: SEV1 goes on with values measured up to 0:01:30 before");

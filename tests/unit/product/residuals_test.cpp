@@ -25,7 +25,7 @@ const Body& moon() { return *find_body("Moon"); }
 SiteFrame site() { return SiteFrame(moon(), geodetic_from_degrees(80, -84.7, -1200)); }
 
 // A rover drives east for 100 s, then stands heading north for 100 s.
-SampleRow sample(int time_s) {
+SampleRow driven_sample(int time_s) {
   SampleRow row;
   const double driven_m = speed_mps * std::min(time_s, drive_s);
   row.time = SimTime{1'000'000LL * time_s};
@@ -52,7 +52,7 @@ class ResidualsTest : public ::testing::Test {
  protected:
   ResidualsTest() {
     LogWriter log(folder / "log.gpkg", moon_crs, test_start());
-    for (int time_s = 0; time_s <= end_s; time_s += interval_s) log.write(sample(time_s));
+    for (int time_s = 0; time_s <= end_s; time_s += interval_s) log.write(driven_sample(time_s));
     log.write(event(10, 0, drive_s));
     log.write(event(20, drive_s + 20, end_s));
     log.finish();
@@ -86,7 +86,7 @@ class ResidualsTest : public ::testing::Test {
 TEST_F(ResidualsTest, are_a_known_offset) {
   std::string text = "time_s,charge\n";
   for (int time_s = 3; time_s < end_s; time_s += 7) {
-    text += fmt::format("{},{}\n", time_s, sample(time_s).charge + 0.025);
+    text += fmt::format("{},{}\n", time_s, driven_sample(time_s).charge + 0.025);
   }
   const ResidualStatistics found = all(of(text), "charge");
   EXPECT_EQ(found.count, 29u);
@@ -98,7 +98,7 @@ TEST_F(ResidualsTest, are_a_known_offset) {
 TEST_F(ResidualsTest, are_nothing_at_the_samples_themselves) {
   std::string text = "time_s,charge,speed_mps,heading_rad,x_m\n";
   for (int time_s = 0; time_s <= end_s; time_s += interval_s) {
-    const SampleRow row = sample(time_s);
+    const SampleRow row = driven_sample(time_s);
     text += fmt::format("{},{},{},{},{}\n", time_s, row.charge, row.speed_mps, row.heading_rad,
                         row.p_S_m.x());
   }
@@ -127,7 +127,7 @@ TEST_F(ResidualsTest, across_the_track_are_positive_to_the_left) {
   EXPECT_NEAR(all(driving, "place_across_m").mean, 3, 1e-6);
   // It stands heading north, so that ahead is north and west is to the left.
   // There north is not that of the site, so near a pole.
-  const SiteFrame there(moon(), sample(155).place);
+  const SiteFrame there(moon(), driven_sample(155).place);
   const Geodetic measured = there.geodetic({-4, 3, 0});
   const Residuals standing = of(fmt::format("time_s,lon_deg,lat_deg\n155,{:.12f},{:.12f}\n",
                                             lon_deg(measured), lat_deg(measured)));

@@ -15,14 +15,14 @@ using ::testing::HasSubstr;
 
 constexpr int hour_s = 3600, day_s = 86400;
 
-SimTime at(int time_s) { return SimTime{1'000'000LL * time_s}; }
+SimTime time_at(int time_s) { return SimTime{1'000'000LL * time_s}; }
 
 // It drives from 10 h on at 1 m/s for 28 hours, over the first midnight, and uses 100 W. The Sun
 // shines for the first 12 hours.
-SampleRow sample(int time_s) {
+SampleRow sample_of_days(int time_s) {
   constexpr int begin_s = 10 * hour_s, end_s = 38 * hour_s;
   SampleRow row;
-  row.time = at(time_s);
+  row.time = time_at(time_s);
   row.rover_id = "A";
   row.distance_m = std::clamp(time_s, begin_s, end_s) - begin_s;
   row.speed_mps = time_s > begin_s && time_s < end_s ? 1 : 0;
@@ -43,19 +43,20 @@ class RoverDays : public ::testing::Test {
     std::set<int> times{0, 10 * hour_s, 12 * hour_s, 38 * hour_s, end_s};
     for (int time_s = 0; time_s < end_s; time_s += 7 * hour_s) times.insert(time_s);
     for (const int time_s : times) {
-      if (time_s <= end_s) log.write(sample(time_s));
+      if (time_s <= end_s) log.write(sample_of_days(time_s));
     }
     EventRow event = test_event();
     event.rover_id = "A";
     event.type = "EVA";
-    event.start = at(23 * hour_s);
-    event.end = at(25 * hour_s);
+    event.start = time_at(23 * hour_s);
+    event.end = time_at(25 * hour_s);
     log.write(event);
     PairRow pair;
     pair.from_id = "A";
     pair.to_id = "Earth";
     log.write(pair);
-    log.write(SightIntervalRow{"A", "Earth", "visible", at(20 * hour_s), at(30 * hour_s), 1});
+    log.write(
+        SightIntervalRow{"A", "Earth", "visible", time_at(20 * hour_s), time_at(30 * hour_s), 1});
     log.finish();
     return rover_days(LogReader(folder / "log.gpkg"));
   }
@@ -97,7 +98,7 @@ TEST_F(RoverDays, know_the_charge_at_dawn_and_dusk) {
   LogWriter log(folder / "earth.gpkg", moon_crs, *parse_utc("2010-03-20T00:00:00Z").value);
   log.write_run({{"planet", "Earth"}});
   for (int time_s = 0; time_s <= 2 * day_s; time_s += 600) {
-    SampleRow row = sample(time_s);
+    SampleRow row = sample_of_days(time_s);
     row.place = {};
     log.write(row);
   }
@@ -119,8 +120,8 @@ TEST_F(RoverDays, that_end_at_midnight_are_not_followed_by_an_empty_one) {
 TEST_F(RoverDays, are_a_table_for_spreadsheets) {
   const std::string csv = days_csv(days_of(2 * day_s), test_start());
   EXPECT_THAT(csv, HasSubstr("rover_id,day,from_utc,from_s,to_s,distance_m,drive_s,"));
-  EXPECT_THAT(csv,
-              HasSubstr("\nA,2," + format_utc(test_start() + at(day_s)) + ",86400,172800,50400,"));
+  EXPECT_THAT(csv, HasSubstr("\nA,2," + format_utc(test_start() + time_at(day_s)) +
+                             ",86400,172800,50400,"));
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ void change(const std::string& file, const std::string& sql) {
 }
 
 // A finished log with a row or more in each layer that the cases below change.
-void write_rows(const std::string& file) {
+void write_foreign_rows(const std::string& file) {
   LogWriter log(file, moon_crs, test_start());
   for (int i = 0; i < 3; ++i) log.write(test_sample(i));
   log.write(test_event());
@@ -59,7 +59,7 @@ std::string bytes_of(const std::string& file) {
 // The same bytes for each test: writing them takes the most time.
 std::string write_log(const TestFolder& folder) {
   static const std::string bytes = [&] {
-    write_rows(folder / "first.gpkg");
+    write_foreign_rows(folder / "first.gpkg");
     return bytes_of(folder / "first.gpkg");
   }();
   const std::string file = folder / "log.gpkg";

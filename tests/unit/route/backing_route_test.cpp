@@ -19,7 +19,7 @@ PoseGuide with_reverse() {
   return guide;
 }
 
-double length_m(const Line2& line) {
+double line_length_m(const Line2& line) {
   double sum_m = 0;
   for (std::size_t k = 0; k + 1 < line.size(); ++k) sum_m += (line[k + 1] - line[k]).norm();
   return sum_m;
@@ -65,7 +65,7 @@ TEST(BackingRoute, backs_straight_to_a_place_behind) {
       search_poses(lane.ground.costs, {{30, 0}, 0}, {24, 0}, turn_m, many_poses, with_reverse());
   ASSERT_EQ(back.stretches.size(), 1u);
   EXPECT_TRUE(back.stretches.front().is_backward);
-  EXPECT_NEAR(length_m(back.stretches.front().line), 6, 0.05);
+  EXPECT_NEAR(line_length_m(back.stretches.front().line), 6, 0.05);
   Lane same(2);
   EXPECT_FALSE(
       search_poses(same.ground.costs, {{30, 0}, 0}, {24, 0}, turn_m, many_poses).is_found());

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double acceleration_mps2 = 0.2;
 
-DriveCost rover(bool can_turn_on_spot) {
+DriveCost driven_rover(bool can_turn_on_spot) {
   DriveCost cost = simple_rover();
   cost.can_turn_on_spot = can_turn_on_spot;
   cost.acceleration_mps2 = acceleration_mps2;
@@ -51,8 +51,8 @@ double driven_s(const Line2& line, const DriveCost& cost) {
   return time_s;
 }
 
-struct OnLevel {
-  explicit OnLevel(const DriveCost& of) : cost(of) {}
+struct DrivenOnLevel {
+  explicit DrivenOnLevel(const DriveCost& of) : cost(of) {}
 
   Site site{{}};
   DriveCost cost;
@@ -80,12 +80,12 @@ struct Agreement {
 };
 
 // The planner's summary leaves out setting off at the start and stopping at the end.
-double planned_s(OnLevel& rover, const Line2& line) {
-  return rover.costs.of(line).duration_s + rover.cost.stop_s;
+double planned_s(DrivenOnLevel& driven_rover, const Line2& line) {
+  return driven_rover.costs.of(line).duration_s + driven_rover.cost.stop_s;
 }
 
 TEST(DrivenLine, takes_as_long_as_planned_with_turns_on_the_spot) {
-  OnLevel rover(test::rover(true));
+  DrivenOnLevel driven_rover(test::rover(true));
   std::mt19937 random(1);
   std::uniform_real_distribution<double> length_m(4, 30), sharp_rad(-2, 2), gentle_rad(-0.3, 0.3);
   Agreement agreement;
@@ -96,7 +96,7 @@ TEST(DrivenLine, takes_as_long_as_planned_with_turns_on_the_spot) {
       line.push_back(line.back() + length_m(random) * Vec2(std::cos(yaw_rad), std::sin(yaw_rad)));
       yaw_rad += i % 3 == 0 ? sharp_rad(random) : gentle_rad(random);
     }
-    agreement.add(planned_s(rover, line), driven_s(line, rover.cost));
+    agreement.add(planned_s(driven_rover, line), driven_s(line, driven_rover.cost));
   }
   EXPECT_LT(agreement.worst, 0.002);
 }
@@ -104,7 +104,7 @@ TEST(DrivenLine, takes_as_long_as_planned_with_turns_on_the_spot) {
 // Arcs of polylines: the planner takes each bend of the points for an arc by itself, while the
 // driving line lays its fillets one after the other.
 TEST(DrivenLine, takes_as_long_as_planned_with_arcs) {
-  OnLevel rover(test::rover(false));
+  DrivenOnLevel driven_rover(test::rover(false));
   std::mt19937 random(1);
   std::uniform_real_distribution<double> straight_m(0, 25), radius_m(2, 12), bend_rad(0.2, 2);
   Agreement agreement;
@@ -121,7 +121,7 @@ TEST(DrivenLine, takes_as_long_as_planned_with_arcs) {
       at.at_m += straight_m(random) * at.ahead();
       line.push_back(at.at_m);
     }
-    agreement.add(planned_s(rover, line), driven_s(line, rover.cost));
+    agreement.add(planned_s(driven_rover, line), driven_s(line, driven_rover.cost));
   }
   EXPECT_LT(agreement.worst, 0.05);
   EXPECT_LT(std::abs(agreement.mean()), 0.015);

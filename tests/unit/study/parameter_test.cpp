@@ -11,7 +11,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-std::string drawn(const Variation& variation, double share) {
+std::string drawn_text(const Variation& variation, double share) {
   const StudyPlan plan;
   const auto parameters = plan.parameters({variation});
   if (parameters.empty()) return "";
@@ -19,21 +19,21 @@ std::string drawn(const Variation& variation, double share) {
 }
 
 TEST(Parameter, is_written_as_a_plan_has_it) {
-  EXPECT_EQ(drawn(vary("out.Speed", Form::uniform, {"2", "4 m/s"}), 0.5), "3 m/s");
-  EXPECT_EQ(drawn(vary("A/20.Duration", Form::uniform, {"1 min", "3 min"}), 0.5), "120 s");
-  EXPECT_EQ(drawn(vary("MissionInfo.StartTime", Form::uniform,
-                       {"2026-07-01T00:00:00Z", "2026-07-01T02:00:00Z"}),
-                  0.5),
+  EXPECT_EQ(drawn_text(vary("out.Speed", Form::uniform, {"2", "4 m/s"}), 0.5), "3 m/s");
+  EXPECT_EQ(drawn_text(vary("A/20.Duration", Form::uniform, {"1 min", "3 min"}), 0.5), "120 s");
+  EXPECT_EQ(drawn_text(vary("MissionInfo.StartTime", Form::uniform,
+                            {"2026-07-01T00:00:00Z", "2026-07-01T02:00:00Z"}),
+                       0.5),
             "2026-07-01T01:00:00.000Z");
-  EXPECT_EQ(drawn(vary("Rover A.InitialCharge", Form::list, {"50 %", "0.7"}), 0.2), "50 %");
-  EXPECT_EQ(drawn(vary("MissionInfo.OnFailure", Form::list, {"skip", "abort"}), 0.9), "abort");
+  EXPECT_EQ(drawn_text(vary("Rover A.InitialCharge", Form::list, {"50 %", "0.7"}), 0.2), "50 %");
+  EXPECT_EQ(drawn_text(vary("MissionInfo.OnFailure", Form::list, {"skip", "abort"}), 0.9), "abort");
 }
 
 TEST(Parameter, of_whole_numbers_takes_each_as_often) {
   const Variation seed = vary("MissionInfo.Seed", Form::uniform, {"1", "4"});
-  EXPECT_EQ(drawn(seed, 0), "1");
-  EXPECT_EQ(drawn(seed, 0.26), "2");
-  EXPECT_EQ(drawn(seed, 0.9999), "4");
+  EXPECT_EQ(drawn_text(seed, 0), "1");
+  EXPECT_EQ(drawn_text(seed, 0.26), "2");
+  EXPECT_EQ(drawn_text(seed, 0.9999), "4");
 }
 
 TEST(Parameter, goes_in_steps_through_a_range) {
@@ -44,8 +44,9 @@ TEST(Parameter, goes_in_steps_through_a_range) {
 }
 
 TEST(Parameter, multiplies_what_is_there) {
-  EXPECT_EQ(drawn(vary("out.Speed", Form::uniform, {"0.5", "1.5"}, true), 0.75), "2.5 m/s");
-  EXPECT_EQ(drawn(vary("Rover A.battery.capacity_j", Form::list, {"0.9"}, true), 0), "90000000");
+  EXPECT_EQ(drawn_text(vary("out.Speed", Form::uniform, {"0.5", "1.5"}, true), 0.75), "2.5 m/s");
+  EXPECT_EQ(drawn_text(vary("Rover A.battery.capacity_j", Form::list, {"0.9"}, true), 0),
+            "90000000");
 }
 
 TEST(Parameter, has_its_value_in_si) {

@@ -13,7 +13,7 @@ namespace lsos {
 namespace {
 
 // Heights of a block of nodes, from several tiles.
-std::vector<std::vector<double>> heights(const RoughnessField& field, int tiles) {
+std::vector<std::vector<double>> roughness_heights(const RoughnessField& field, int tiles) {
   std::vector<std::vector<double>> result(64 * tiles, std::vector<double>(64 * tiles));
   for (int row = 0; row < tiles; ++row) {
     for (int column = 0; column < tiles; ++column) {
@@ -30,7 +30,7 @@ std::vector<std::vector<double>> heights(const RoughnessField& field, int tiles)
 TEST(Roughness, deviates_as_the_power_of_the_distance) {
   for (const double hurst : {0.5, 0.7, 0.9}) {
     const RoughnessField field({0.02, hurst, 64}, 9, {0.25});
-    const auto h = heights(field, 16);
+    const auto h = roughness_heights(field, 16);
     const int side = static_cast<int>(h.size());
     // Shepard et al. 2001: RMS deviation nu(L) = nu_0 L^H.
     for (const int lag : {2, 4, 8, 16}) {  // to a sixteenth of the longest wave
@@ -50,7 +50,7 @@ TEST(Roughness, deviates_as_the_power_of_the_distance) {
 
 TEST(Roughness, of_a_node_does_not_depend_on_the_tile_or_the_stride) {
   const RoughnessField field({0.02, 0.7, 32}, 9, {0.25});
-  const auto h = heights(field, 4);
+  const auto h = roughness_heights(field, 4);
   HeightTile coarse({0, 0});
   field.add_to(coarse, {4 - 8, 4 - 8, 8});
   HeightTile right({1, 0});

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int columns = 256, rows = 64;
 constexpr int first_masked = 128;  // column
-constexpr double height_m = 40;
+constexpr double masked_height_m = 40;
 
 enum class Mask { none, alpha, file };
 
@@ -35,7 +35,7 @@ struct MaskedRaster {
     if (has_nodata) dataset->GetRasterBand(1)->SetNoDataValue(-9999);
     fill(*dataset->GetRasterBand(1), [this](int column) {
       if (column >= first_masked) return 0.0;
-      return has_nodata && column < 8 ? -9999 : height_m;
+      return has_nodata && column < 8 ? -9999 : masked_height_m;
     });
     const auto shown = [](int column) { return column >= first_masked ? 0.0 : 255.0; };
     if (mask == Mask::alpha) {
@@ -66,7 +66,7 @@ struct MaskedRaster {
   }
 };
 
-SiteFrame moon() { return site_on("Moon", 0, 0); }
+SiteFrame masked_moon() { return site_on("Moon", 0, 0); }
 
 void expect_masked(const Ground& ground, bool has_nodata, double resolution_m) {
   Ground::Probe probe(ground, resolution_m);
@@ -76,7 +76,8 @@ void expect_masked(const Ground& ground, bool has_nodata, double resolution_m) {
     EXPECT_FALSE(probe.sample({100, y, 0}).is_ground());
     EXPECT_EQ(probe.sample({-125, y, 0}).is_ground(), !has_nodata);
     for (const double x : {-aside_m, -30.0, -110.0}) {
-      EXPECT_NEAR(probe.sample({x, y, 0}).elevation_m, height_m, 1e-9) << x << " " << resolution_m;
+      EXPECT_NEAR(probe.sample({x, y, 0}).elevation_m, masked_height_m, 1e-9)
+          << x << " " << resolution_m;
     }
   }
 }
@@ -86,7 +87,7 @@ TEST(RasterMask, leaves_no_ground_from_close_by_and_from_afar) {
     for (const bool has_nodata : {false, true}) {
       for (const bool has_overviews : {false, true}) {
         const MaskedRaster raster{mask, has_nodata, has_overviews};
-        const Ground ground(raster_terrain(raster.write("masked")), moon(), 0);
+        const Ground ground(raster_terrain(raster.write("masked")), masked_moon(), 0);
         for (const double resolution_m : {0.0, 4.0}) {
           SCOPED_TRACE(::testing::Message()
                        << static_cast<int>(mask) << has_nodata << has_overviews << resolution_m);
@@ -101,12 +102,12 @@ TEST(RasterMask, leaves_no_ground_from_close_by_and_from_afar) {
 TEST(RasterMask, stays_when_the_user_says_what_stands_for_none) {
   TerrainSpec spec = raster_terrain(MaskedRaster{Mask::alpha, true}.write("said"));
   std::get<RasterSurface>(spec.layers[0]).nodata = -9999;
-  expect_masked(Ground(spec, moon(), 0), true, 0);
+  expect_masked(Ground(spec, masked_moon(), 0), true, 0);
 }
 
 TEST(RasterMask, is_in_the_hash) {
   const auto hash = [](Mask mask) {
-    return Ground(raster_terrain(MaskedRaster{mask}.write("hash")), moon(), 0).hash();
+    return Ground(raster_terrain(MaskedRaster{mask}.write("hash")), masked_moon(), 0).hash();
   };
   EXPECT_NE(hash(Mask::alpha), hash(Mask::none));
   EXPECT_NE(hash(Mask::file), hash(Mask::none));
@@ -115,10 +116,10 @@ TEST(RasterMask, is_in_the_hash) {
 TEST(RasterMask, lets_a_coarser_layer_show) {
   TerrainSpec spec = raster_terrain(MaskedRaster{Mask::alpha}.write("above"));
   spec.layers.push_back(plane_terrain(7).layers.front());
-  const Ground ground(spec, moon(), 0);
+  const Ground ground(spec, masked_moon(), 0);
   Ground::Probe probe(ground);
   EXPECT_NEAR(probe.sample({60, 0, 0}).elevation_m, 7, 1e-6);
-  EXPECT_NEAR(probe.sample({-60, 0, 0}).elevation_m, height_m, 1e-6);
+  EXPECT_NEAR(probe.sample({-60, 0, 0}).elevation_m, masked_height_m, 1e-6);
 }
 
 }  // namespace

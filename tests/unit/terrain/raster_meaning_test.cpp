@@ -29,11 +29,11 @@ RasterSurface raster(const std::string& name, const std::vector<std::vector<doub
   return {file};
 }
 
-std::optional<double> height_m(const RasterSurface& surface) {
+std::optional<double> read_height_m(const RasterSurface& surface) {
   return RasterReader(surface, {"x.lua", 1}).at(cell_10_9)->height_m;
 }
 
-std::string refusal(const RasterSurface& surface) {
+std::string refusal_of_surface(const RasterSurface& surface) {
   try {
     const RasterReader reader(surface, {"x.lua", 1});
   } catch (const InputError& error) {
@@ -44,7 +44,7 @@ std::string refusal(const RasterSurface& surface) {
 
 double lone_height_m(double sample, const std::string& band) {
   static int number = 0;
-  return height_m(raster("r" + std::to_string(++number), samples(sample), band)).value();
+  return read_height_m(raster("r" + std::to_string(++number), samples(sample), band)).value();
 }
 
 TEST(RasterUnit, of_the_file_is_known_by_many_names) {
@@ -59,16 +59,16 @@ TEST(RasterUnit, of_the_file_is_known_by_many_names) {
 TEST(RasterUnit, may_be_said_instead) {
   RasterSurface surface = raster("r", samples(100), "<UnitType>m</UnitType>");
   surface.unit = "ft";
-  EXPECT_NEAR(*height_m(surface), 30.48, 1e-12);
+  EXPECT_NEAR(*read_height_m(surface), 30.48, 1e-12);
   surface.unit = "feat";
-  EXPECT_THAT(refusal(surface),
+  EXPECT_THAT(refusal_of_surface(surface),
               AllOf(HasSubstr("x.lua:1: raster '" + surface.file + "' is said to be in 'feat', "),
                     HasSubstr("no unit of length: m, km, dm, cm, mm, ft, us-ft are allowed"),
                     HasSubstr("unit in lsos.raster, or --unit"), HasSubstr("did you mean 'ft'?")));
 }
 
 TEST(RasterUnit, of_a_band_that_is_no_height_is_refused) {
-  EXPECT_THAT(refusal(raster("r", samples(10), "<UnitType>degree</UnitType>")),
+  EXPECT_THAT(refusal_of_surface(raster("r", samples(10), "<UnitType>degree</UnitType>")),
               AllOf(HasSubstr("has a band 1 in 'degree', which is no unit of length"),
                     HasSubstr("choose another band")));
 }
@@ -83,21 +83,21 @@ TEST(RasterRadii, show_in_the_offset_or_in_the_samples_and_in_kilometres_too) {
 TEST(RasterRadii, may_be_said_or_denied) {
   RasterSurface surface = raster("r", samples(1736150));
   surface.is_radius = true;
-  EXPECT_NEAR(*height_m(surface), -1250, 1e-9);
+  EXPECT_NEAR(*read_height_m(surface), -1250, 1e-9);
   surface.is_radius = false;
-  EXPECT_THAT(refusal(surface), HasSubstr("no ground of Moon is farther than 25000 m"));
+  EXPECT_THAT(refusal_of_surface(surface), HasSubstr("no ground of Moon is farther than 25000 m"));
 }
 
 TEST(RasterRadii, in_kilometres_without_a_unit_are_asked_for) {
   RasterSurface surface = raster("r", samples(1738.2));
-  EXPECT_THAT(refusal(surface),
+  EXPECT_THAT(refusal_of_surface(surface),
               AllOf(HasSubstr("holds 1738.2 to 1738.2 and names no unit: radii of Moon in km, or "
                               "heights in m?"),
                     HasSubstr("unit in lsos.raster, or --unit")));
   surface.unit = "km";
-  EXPECT_NEAR(*height_m(surface), 800, 1e-6);
+  EXPECT_NEAR(*read_height_m(surface), 800, 1e-6);
   surface.unit = "m";
-  EXPECT_NEAR(*height_m(surface), 1738.2, 1e-9);
+  EXPECT_NEAR(*read_height_m(surface), 1738.2, 1e-9);
 }
 
 // One cell has the mark, in the south-western corner; the others are 5 m.
@@ -143,36 +143,38 @@ TEST(RasterMarks, that_are_said_replace_all_others) {
 
 TEST(RasterMarks, that_cannot_be_known_are_asked_for) {
   RasterSurface surface = raster("a", marked(-9999));
-  EXPECT_THAT(refusal(surface), AllOf(HasSubstr("holds -9999 and else nothing below 5, as if"),
-                                      HasSubstr("say nodata = -9999, or another value"),
-                                      HasSubstr("nodata in lsos.raster, or --nodata")));
+  EXPECT_THAT(refusal_of_surface(surface),
+              AllOf(HasSubstr("holds -9999 and else nothing below 5, as if"),
+                    HasSubstr("say nodata = -9999, or another value"),
+                    HasSubstr("nodata in lsos.raster, or --nodata")));
   surface.nodata = -9999;
-  EXPECT_EQ(refusal(surface), "accepted");
+  EXPECT_EQ(refusal_of_surface(surface), "accepted");
   // A valley that leads there is real.
   auto slope = samples(-9990);
   slope[3][3] = -9999;
-  EXPECT_EQ(refusal(raster("b", slope)), "accepted");
-  EXPECT_THAT(refusal(raster("c", marked(-32000))),
+  EXPECT_EQ(refusal_of_surface(raster("b", slope)), "accepted");
+  EXPECT_THAT(refusal_of_surface(raster("c", marked(-32000))),
               AllOf(HasSubstr("holds samples from -32000 to 5, heights of -32000 to 5 m; no ground "
                               "of Moon is farther than 25000 m from its reference surface"),
                     HasSubstr("--nodata"), HasSubstr("--unit"), HasSubstr("--radius")));
 }
 
 TEST(RasterMarks, alone_are_no_raster) {
-  EXPECT_THAT(refusal(raster("r", samples(7), "<NoDataValue>7</NoDataValue>")),
+  EXPECT_THAT(refusal_of_surface(raster("r", samples(7), "<NoDataValue>7</NoDataValue>")),
               HasSubstr("holds no heights: all samples are missing"));
 }
 
 TEST(RasterCrsOption, places_a_raster_that_does_not_say_where_it_lies) {
   RasterSurface surface{TextRaster{"", transform, "", samples(5)}.write("r")};
-  EXPECT_THAT(refusal(surface), HasSubstr("crs in lsos.raster, or --crs"));
+  EXPECT_THAT(refusal_of_surface(surface), HasSubstr("crs in lsos.raster, or --crs"));
   surface.crs = moon_crs;
-  EXPECT_NEAR(*height_m(surface), 5, 1e-12);
+  EXPECT_NEAR(*read_height_m(surface), 5, 1e-12);
   EXPECT_EQ(RasterReader(surface, {}).own_body().name, "Moon");
   surface.crs = "IAU_2015:30101010";
-  EXPECT_THAT(refusal(surface), AllOf(HasSubstr("is said to be in the CRS 'IAU_2015:30101010', "
-                                                "which GDAL does not know"),
-                                      HasSubstr("IAU_2015:30135")));
+  EXPECT_THAT(refusal_of_surface(surface),
+              AllOf(HasSubstr("is said to be in the CRS 'IAU_2015:30101010', "
+                              "which GDAL does not know"),
+                    HasSubstr("IAU_2015:30135")));
 }
 
 std::string three_bands(const std::string& first, const std::string& second,
@@ -198,25 +200,26 @@ std::string three_bands(const std::string& first, const std::string& second,
 
 TEST(RasterBand, is_chosen_by_number_or_description) {
   RasterSurface surface{three_bands("rock", "height")};
-  EXPECT_EQ(height_m(surface), 1);
+  EXPECT_EQ(read_height_m(surface), 1);
   surface.band = 2;
-  EXPECT_EQ(height_m(surface), 2);
+  EXPECT_EQ(read_height_m(surface), 2);
   surface.band = "height";
-  EXPECT_EQ(height_m(surface), 2);
+  EXPECT_EQ(read_height_m(surface), 2);
   surface.band = "heigth";
-  EXPECT_THAT(refusal(surface),
+  EXPECT_THAT(refusal_of_surface(surface),
               HasSubstr("has no band 'heigth': there is 1 'rock', 2 'height', 3 'slope'; did you "
                         "mean 'height'?"));
   surface.band = 4;
-  EXPECT_THAT(refusal(surface), HasSubstr("has no band 4: 1..3 is allowed (1 'rock', 2 'height'"));
+  EXPECT_THAT(refusal_of_surface(surface),
+              HasSubstr("has no band 4: 1..3 is allowed (1 'rock', 2 'height'"));
 }
 
 TEST(RasterBand, descriptions_must_be_clear_and_colours_are_no_heights) {
   RasterSurface surface{three_bands("height", "height")};
   surface.band = "height";
-  EXPECT_THAT(refusal(surface),
+  EXPECT_THAT(refusal_of_surface(surface),
               HasSubstr("describes bands 1 and 2 as 'height': give the number (band in"));
-  EXPECT_THAT(refusal({three_bands("a", "b", "Green")}),
+  EXPECT_THAT(refusal_of_surface({three_bands("a", "b", "Green")}),
               HasSubstr("is a picture: band 1 holds its colours (Green), heights are wanted"));
 }
 
@@ -225,11 +228,11 @@ TEST(RasterFile, that_is_the_samples_of_a_label_is_told_so) {
   std::filesystem::create_directories(folder);
   std::ofstream(folder + "/a.img") << "samples";
   std::ofstream(folder + "/a.xml") << "label";
-  EXPECT_THAT(refusal({folder + "/a.img"}),
+  EXPECT_THAT(refusal_of_surface({folder + "/a.img"}),
               AllOf(HasSubstr("cannot be opened: "),
                     HasSubstr("; did you mean its label '" + folder + "/a.xml'?")));
   std::ofstream(folder + "/b.zip") << "archive";
-  EXPECT_THAT(refusal({folder + "/b.zip"}),
+  EXPECT_THAT(refusal_of_surface({folder + "/b.zip"}),
               HasSubstr("of an archive name the file inside: '/vsizip/" + folder + "/b.zip/FILE'"));
 }
 

@@ -10,6 +10,7 @@
 #include "base/units.h"
 #include "driving/driving_line.h"
 #include "test_rover.h"
+#include "test_site.h"
 #include "vehicle/path_follower.h"
 #include "vehicle/vehicle.h"
 
@@ -18,8 +19,7 @@ namespace {
 
 using testing::ElementsAre;
 
-constexpr double g = 1.6242;
-constexpr double period_s = 0.1;
+using test::period_s;
 
 // Points of an arc from a pose of travel, which they end in.
 void add_arc(std::vector<Vec2>& line, double& travel_rad, double radius_m, double turn_rad) {
@@ -197,7 +197,7 @@ TEST(PathFollower, turns_round_in_three_strokes) {
   limits.can_turn_on_spot = false;
   limits.radius_min_m = 4;
   const ThreeStrokes strokes(1.1 * limits.radius_min_m);
-  Vehicle vehicle(test::rover(g), *ground);
+  Vehicle vehicle(test::rover(test::moon_g_mps2), *ground);
   ASSERT_EQ(vehicle.place(ground->site().origin(), radians(90)), "");
   const auto pose = [&] {
     const VehicleReport report = vehicle.report();

@@ -19,24 +19,24 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-VehicleConfig vehicle(const RoverSpec& spec = test::rover_on_limbs(),
-                      const std::string& configuration = "") {
+VehicleConfig legged_vehicle(const RoverSpec& spec = test::rover_on_limbs(),
+                             const std::string& configuration = "") {
   return make_vehicle(spec, configuration, 1.6);
 }
 
-double tilt_rad(Vehicle& vehicle) {
-  const VehicleReport report = vehicle.report();
+double chassis_tilt_rad(Vehicle& legged_vehicle) {
+  const VehicleReport report = legged_vehicle.report();
   return std::acos(std::cos(report.pitch_rad) * std::cos(report.roll_rad));
 }
 
-std::vector<double> loads_n(const Vehicle& vehicle) {
+std::vector<double> loads_n(const Vehicle& legged_vehicle) {
   std::vector<double> loads;
-  for (std::size_t i = 0; i < 6; ++i) loads.push_back(vehicle.wheel_load_n(i));
+  for (std::size_t i = 0; i < 6; ++i) loads.push_back(legged_vehicle.wheel_load_n(i));
   return loads;
 }
 
 TEST(Legged, builds_a_chain_for_each_limb) {
-  const VehicleConfig v = vehicle();
+  const VehicleConfig v = legged_vehicle();
   EXPECT_THAT(vehicle_faults(test::rover_on_limbs()), IsEmpty());
   ASSERT_EQ(v.links.size(), 6u * 5);
   EXPECT_EQ(v.links[0].name, "limb_1_yaw");
@@ -94,10 +94,10 @@ TEST(Legged, height_is_for_limbs_only) {
 TEST(Legged, stands_level_with_equal_loads_on_a_slope) {
   for (const double slope_rad : {0.0, 0.26}) {
     const auto ground = test::moon(slope_rad, 0.7);
-    const VehicleConfig config = vehicle();
+    const VehicleConfig config = legged_vehicle();
     Vehicle v(config, *ground);
     ASSERT_EQ(v.place(ground->site().origin(), 0.3), "") << slope_rad;
-    EXPECT_LT(tilt_rad(v), 0.005) << slope_rad;
+    EXPECT_LT(chassis_tilt_rad(v), 0.005) << slope_rad;
     EXPECT_FALSE(v.is_adjusting());
     const double g_mps2 = ground->site().gravity_S_mps2(Vec3::Zero()).norm();
     const double share_n = config.mass_kg() * g_mps2 / 6;
@@ -113,19 +113,19 @@ TEST(Legged, lies_as_the_ground_does_without_levelling) {
   RoverSpec spec = test::rover_on_limbs();
   spec.configurations = {{.name = "Passive", .is_level = false}};
   const auto ground = test::moon(0.26, 0.7);
-  Vehicle passive(vehicle(spec, "Passive"), *ground);
+  Vehicle passive(legged_vehicle(spec, "Passive"), *ground);
   ASSERT_EQ(passive.place(ground->site().origin(), 0.3), "");
-  EXPECT_NEAR(tilt_rad(passive), 0.26, 0.02);
+  EXPECT_NEAR(chassis_tilt_rad(passive), 0.26, 0.02);
 
   std::get<Legged>(spec.suspension).posture.reset();
-  Vehicle without(vehicle(spec), *ground);
+  Vehicle without(legged_vehicle(spec), *ground);
   ASSERT_EQ(without.place(ground->site().origin(), 0.3), "");
-  EXPECT_NEAR(tilt_rad(without), 0.26, 0.02);
+  EXPECT_NEAR(chassis_tilt_rad(without), 0.26, 0.02);
 }
 
 TEST(Legged, parked_on_a_slope_it_does_not_creep) {
   const auto ground = test::moon(0.26, 0.7);
-  Vehicle v(vehicle(), *ground);
+  Vehicle v(legged_vehicle(), *ground);
   ASSERT_EQ(v.place(ground->site().origin(), 0.3), "");
   test::settle(v);
   const Vec3 before_m = v.report().p_S_m;
@@ -140,7 +140,7 @@ TEST(Legged, parked_on_a_slope_it_does_not_creep) {
 
 TEST(Legged, moves_to_another_height_in_the_time_given_and_uses_power_for_it) {
   const auto ground = test::moon();
-  const VehicleConfig config = vehicle();
+  const VehicleConfig config = legged_vehicle();
   Vehicle v(config, *ground);
   ASSERT_EQ(v.place(ground->site().origin(), 0), "");
   const auto chassis_m = [&] { return v.part_poses().front().p_S_m.z(); };
@@ -161,7 +161,7 @@ TEST(Legged, moves_to_another_height_in_the_time_given_and_uses_power_for_it) {
 
 TEST(Legged, a_pose_between_two_stances_is_state) {
   const auto ground = test::moon(0.1, 0.4);
-  const VehicleConfig config = vehicle();
+  const VehicleConfig config = legged_vehicle();
   Vehicle v(config, *ground), restored(config, *ground);
   ASSERT_EQ(v.place(ground->site().origin(), 0), "");
   v.set_posture(at_height(config, v.posture()->hubs_B_m(), 1.0), true, 10);
@@ -180,7 +180,7 @@ TEST(Legged, a_pose_between_two_stances_is_state) {
 
 TEST(Legged, energy_closes_while_it_moves) {
   const auto ground = test::moon(0.1, 0.4);
-  const VehicleConfig config = vehicle();
+  const VehicleConfig config = legged_vehicle();
   Vehicle v(config, *ground);
   ASSERT_EQ(v.place(ground->site().origin(), 0), "");
   const double before_j = v.kinetic_j() + v.potential_j();
@@ -192,7 +192,7 @@ TEST(Legged, energy_closes_while_it_moves) {
 
 TEST(Legged, a_locked_joint_holds_its_angle) {
   const auto ground = test::moon();
-  const VehicleConfig config = vehicle();
+  const VehicleConfig config = legged_vehicle();
   Vehicle v(config, *ground);
   ASSERT_EQ(v.place(ground->site().origin(), 0), "");
   v.set_limb_locked(2, true);  // limb_1_knee
@@ -205,12 +205,12 @@ TEST(Legged, a_locked_joint_holds_its_angle) {
     const std::size_t knee = 5 * limb + 2;
     EXPECT_GT(std::abs(after_rad[knee] - before_rad[knee]), 0.05) << limb;
   }
-  EXPECT_LT(tilt_rad(v), 0.03);  // the others keep it level
+  EXPECT_LT(chassis_tilt_rad(v), 0.03);  // the others keep it level
 }
 
 TEST(Legged, a_limb_that_is_repaired_goes_on_while_it_stands) {
   const auto ground = test::moon();
-  const VehicleConfig config = vehicle();
+  const VehicleConfig config = legged_vehicle();
   Vehicle v(config, *ground);
   ASSERT_EQ(v.place(ground->site().origin(), 0), "");
   v.set_limb_locked(2, true);
@@ -222,13 +222,13 @@ TEST(Legged, a_limb_that_is_repaired_goes_on_while_it_stands) {
   EXPECT_TRUE(v.is_adjusting());
   for (int i = 0; i < 1000 && v.is_adjusting(); ++i) v.advance(exchange_period);
   EXPECT_GT(std::abs(v.joint_positions()[2] - before_rad), 0.05);
-  EXPECT_LT(tilt_rad(v), 0.005);
+  EXPECT_LT(chassis_tilt_rad(v), 0.005);
 }
 
 // The power is that of the work that is done: a motor that only holds loses heat in its windings.
 TEST(Legged, a_joint_that_stalls_takes_no_power_for_work_that_it_does_not_do) {
   const auto ground = test::moon();
-  VehicleConfig config = vehicle();
+  VehicleConfig config = legged_vehicle();
   for (LinkConfig& link : config.links) {
     if (link.limb) link.limb->motor.torque_max_n_m = 50;
   }
@@ -260,7 +260,7 @@ std::unique_ptr<Ground> dip(double east_m, double north_m, double depth_m) {
 TEST(Legged, is_put_down_with_each_wheel_on_its_own_ground) {
   // limb_1 stands 2 m from the middle, 30 degrees to the left of ahead.
   const auto ground = dip(-1, 1.73, 0.3);
-  Vehicle v(vehicle(), *ground);
+  Vehicle v(legged_vehicle(), *ground);
   ASSERT_EQ(v.put_down(ground->site().origin(), 0), "");
   const double before_m = v.part_poses().front().p_S_m.z();
   double fastest_mps = 0, lowest_m = before_m;
@@ -272,7 +272,7 @@ TEST(Legged, is_put_down_with_each_wheel_on_its_own_ground) {
   // Wheels and soil give way by a few centimetres.
   EXPECT_LT(before_m - lowest_m, 0.06);
   EXPECT_LT(fastest_mps, 0.15);
-  EXPECT_LT(tilt_rad(v), 0.02);
+  EXPECT_LT(chassis_tilt_rad(v), 0.02);
   EXPECT_GT(v.wheel_load_n(0), 0.3 * v.wheel_load_n(1));
 }
 
@@ -280,10 +280,10 @@ TEST(Legged, is_put_down_with_each_wheel_on_its_own_ground) {
 // the hubs keeps the height, so that it lowers the chassis by a sixth of what it is lower.
 TEST(Legged, does_not_lower_its_chassis_for_a_wheel_over_a_hole) {
   const auto ground = dip(-1, 1.73, 4);
-  Vehicle v(vehicle(), *ground);
+  Vehicle v(legged_vehicle(), *ground);
   ASSERT_EQ(v.place(ground->site().origin(), 0), "");
   EXPECT_EQ(v.wheel_load_n(0), 0);
-  EXPECT_LT(tilt_rad(v), 0.03);
+  EXPECT_LT(chassis_tilt_rad(v), 0.03);
   const double low_m = v.posture()->hubs_B_m()[0].z() - v.hubs_B_m()[0].z();
   EXPECT_GT(low_m, 0.5);
   const double sunk_m = -v.part_poses().front().p_S_m.z();
@@ -297,7 +297,7 @@ TEST(Legged, settles_until_its_limbs_no_longer_move) {
     for (LimbJoint& joint : limb.joints) joint.actuator.motor.rate_max_radps = 2e-3;
   }
   const auto ground = dip(-1, 1.73, 0.3);
-  Vehicle v(vehicle(spec), *ground);
+  Vehicle v(legged_vehicle(spec), *ground);
   ASSERT_EQ(v.place(ground->site().origin(), 0), "");
   EXPECT_FALSE(v.is_adjusting());
 }
@@ -311,7 +311,7 @@ TEST(Legged, drives_straight_in_a_stance_whose_joints_turn_its_wheels) {
   ASSERT_THAT(vehicle_faults(spec), IsEmpty());
   const auto ground = test::moon();
   const auto drive_j = [&](const std::string& configuration) {
-    Vehicle v(vehicle(spec, configuration), *ground);
+    Vehicle v(legged_vehicle(spec, configuration), *ground);
     EXPECT_EQ(v.place(ground->site().origin(), 0), "");
     v.command({.speed_mps = 0.3, .is_braking = false});
     for (int i = 0; i < 50; ++i) v.advance(exchange_period);
@@ -327,7 +327,7 @@ TEST(Legged, drives_straight_in_a_stance_whose_joints_turn_its_wheels) {
 
 TEST(Legged, on_a_slope_its_incline_is_that_of_the_ground_though_it_is_level) {
   const auto ground = test::moon(0.2, 0);  // falls to the north
-  Vehicle v(vehicle(), *ground);
+  Vehicle v(legged_vehicle(), *ground);
   ASSERT_EQ(v.place(ground->site().origin(), 0), "");
   EXPECT_NEAR(v.report().pitch_rad, 0, 0.01);
   EXPECT_NEAR(v.report().incline_pitch_rad, -0.2, 0.01);

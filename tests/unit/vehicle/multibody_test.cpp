@@ -7,7 +7,7 @@
 namespace lsos {
 namespace {
 
-constexpr double g = 1.625;
+constexpr double gravity_mps2 = 1.625;
 
 Vec3 momentum(const Multibody& bodies, const VehicleConfig& config) {
   Vec3 p = config.chassis.mass_kg * bodies.motion(Multibody::chassis).v_C_S_mps;
@@ -18,25 +18,25 @@ Vec3 momentum(const Multibody& bodies, const VehicleConfig& config) {
 }
 
 TEST(Multibody, falls_freely_as_a_stone_does) {
-  const VehicleConfig config = test::rover(g);
+  const VehicleConfig config = test::rover(gravity_mps2);
   Multibody bodies(config);
   bodies.place({0, 0, 100}, Mat3::Identity());
   constexpr double step_s = 0.001;
   for (int i = 0; i < 2000; ++i) {
-    bodies.add_gravity({0, 0, -g});
+    bodies.add_gravity({0, 0, -gravity_mps2});
     bodies.step(step_s);
   }
   const LinkMotion& chassis = bodies.motion(Multibody::chassis);
-  EXPECT_NEAR(chassis.v_C_S_mps.z(), -g * 2, 1e-9);
+  EXPECT_NEAR(chassis.v_C_S_mps.z(), -gravity_mps2 * 2, 1e-9);
   // Semi-implicit steps fall farther than g t^2 / 2 by g t dt / 2.
-  EXPECT_NEAR(chassis.p_C_S_m.z(), 101.2 - g * 2 - g * 2 * step_s / 2, 1e-9);
+  EXPECT_NEAR(chassis.p_C_S_m.z(), 101.2 - gravity_mps2 * 2 - gravity_mps2 * 2 * step_s / 2, 1e-9);
   for (std::size_t i = 0; i < config.links.size(); ++i) {
     EXPECT_NEAR(bodies.joint_velocity(static_cast<int>(i)), 0, 1e-9);
   }
 }
 
 TEST(Multibody, keeps_momentum_in_free_flight_while_its_motors_turn) {
-  const VehicleConfig config = test::rover(g);
+  const VehicleConfig config = test::rover(gravity_mps2);
   Multibody bodies(config);
   bodies.place({0, 0, 100}, Mat3::Identity());
   for (int i = 0; i < 500; ++i) {
@@ -54,7 +54,7 @@ TEST(Multibody, keeps_momentum_in_free_flight_while_its_motors_turn) {
 }
 
 TEST(Multibody, link_velocities_are_the_rates_of_link_positions) {
-  const VehicleConfig config = test::rover(g);
+  const VehicleConfig config = test::rover(gravity_mps2);
   Multibody bodies(config);
   bodies.place({1, 2, 3}, Quat(0.9, 0.1, -0.2, 0.3).normalized().toRotationMatrix());
   for (int i = 0; i < 50; ++i) {
@@ -72,13 +72,13 @@ TEST(Multibody, link_velocities_are_the_rates_of_link_positions) {
 }
 
 TEST(Multibody, goes_on_bit_for_bit_from_saved_state) {
-  const VehicleConfig config = test::rover(g);
+  const VehicleConfig config = test::rover(gravity_mps2);
   Multibody first(config);
   first.place({0, 0, 10}, Mat3::Identity());
   const auto drive = [](Multibody& bodies) {
     for (int i = 0; i < 300; ++i) {
       for (int link = 0; link < 24; ++link) bodies.add_joint_force(link, 0.5 * (link - i % 7));
-      bodies.add_gravity({0.1, 0, -g});
+      bodies.add_gravity({0.1, 0, -gravity_mps2});
       bodies.step(0.002);
     }
   };

@@ -1,12 +1,13 @@
 // How the line of a path follower grows while it is driven.
 #include <gtest/gtest.h>
 
+#include "test_site.h"
 #include "vehicle/path_follower.h"
 
 namespace lsos {
 namespace {
 
-constexpr double period_s = 0.1;
+using test::period_s;
 
 // A point that moves as it is commanded.
 struct Walk {

@@ -8,13 +8,13 @@
 #include "base/units.h"
 #include "driving/fillet.h"
 #include "test_rover.h"
+#include "test_site.h"
 #include "vehicle/vehicle.h"
 
 namespace lsos {
 namespace {
 
-constexpr double g = 1.6242;
-constexpr double period_s = 0.1;
+using test::period_s;
 
 double distance_to_line_m(const Vec2& p, const std::vector<Vec2>& line) {
   double nearest = 1e9;
@@ -34,7 +34,7 @@ struct Drive {
 
 Drive drive(const Ground& ground, const std::vector<Vec2>& waypoints, double heading_rad,
             bool is_crabbing = false) {
-  Vehicle vehicle(test::rover(g), ground);
+  Vehicle vehicle(test::rover(test::moon_g_mps2), ground);
   EXPECT_EQ(vehicle.place({0.1, 0.2, 0}, heading_rad), "");
   const auto pose = [&] {
     const VehicleReport report = vehicle.report();
@@ -207,7 +207,7 @@ Slide slid(double pitch_rad, double piece_m, bool is_crabbing = false) {
   FollowerLimits limits;
   limits.speed_mps = limits.level_speed_mps = 2.5;
   limits.acceleration_mps2 = 0.5;
-  limits.gravity_mps2 = g;
+  limits.gravity_mps2 = test::moon_g_mps2;
   limits.is_crabbing = is_crabbing;
   Path3 path;
   for (double x_m = piece_m; x_m < 60 + piece_m / 2; x_m += piece_m) path.push_back({x_m, 0, 0});
@@ -216,7 +216,7 @@ Slide slid(double pitch_rad, double piece_m, bool is_crabbing = false) {
   (is_crabbing ? pose.roll_rad : pose.pitch_rad) = is_crabbing ? -pitch_rad : pitch_rad;
   PathFollower follower(path, pose, limits);
   Slide result;
-  const double grip_mps2 = g * (0.45 * std::cos(pitch_rad) + std::sin(pitch_rad));
+  const double grip_mps2 = test::moon_g_mps2 * (0.45 * std::cos(pitch_rad) + std::sin(pitch_rad));
   for (int i = 0; i < 3000 && follower.status() == PathFollower::Status::driving; ++i) {
     const DriveCommand command = follower.update(pose, period_s);
     const double wheels_mps =

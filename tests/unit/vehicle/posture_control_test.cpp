@@ -13,10 +13,10 @@ namespace {
 
 using ::testing::HasSubstr;
 
-VehicleConfig vehicle() { return make_vehicle(test::rover_on_limbs(), "", 1.6); }
+VehicleConfig posed_vehicle() { return make_vehicle(test::rover_on_limbs(), "", 1.6); }
 
-double tilt_rad(Vehicle& vehicle) {
-  const VehicleReport report = vehicle.report();
+double tilt_rad(Vehicle& posed_vehicle) {
+  const VehicleReport report = posed_vehicle.report();
   return std::acos(std::cos(report.pitch_rad) * std::cos(report.roll_rad));
 }
 
@@ -29,7 +29,7 @@ PostureControl::Input at_rest() {
 }
 
 TEST(PostureControl, turns_what_was_forced_out_of_its_range_back_at_the_rate_of_its_motor) {
-  const VehicleConfig config = vehicle();
+  const VehicleConfig config = posed_vehicle();
   PostureControl control(config);
   PostureControl::Input input = at_rest();
   input.angles_rad[0][2] = 1.6;  // the range of limb_1_knee ends at 1.5
@@ -38,7 +38,7 @@ TEST(PostureControl, turns_what_was_forced_out_of_its_range_back_at_the_rate_of_
 }
 
 TEST(PostureControl, a_move_has_its_target_from_its_beginning) {
-  const VehicleConfig config = vehicle();
+  const VehicleConfig config = posed_vehicle();
   PostureControl control(config);
   const std::vector<Vec3> high = at_height(config, control.hubs_B_m(), 1.1);
   control.move_to(high, true, 10);
@@ -49,7 +49,7 @@ TEST(PostureControl, a_move_has_its_target_from_its_beginning) {
 // A downhill limb that is at its end keeps the chassis from standing as high, not from standing
 // level.
 TEST(PostureControl, gives_up_height_to_stay_level) {
-  VehicleConfig config = vehicle();
+  VehicleConfig config = posed_vehicle();
   const double wanted_m = height_range(config).greatest_m - 0.15;
   ASSERT_EQ(stand(config, at_height(config, hubs_B_m(config), wanted_m)), "");
   const auto ground = test::moon(0.2, 0);

@@ -8,6 +8,7 @@
 
 #include "base/units.h"
 #include "test_rovers.h"
+#include "test_site.h"
 #include "vehicle/suspension/link_parts.h"
 #include "vehicle/vehicle.h"
 #include "wheel_loads.h"
@@ -18,22 +19,19 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-constexpr double g = 1.6242;  // GM / R^2 of the Moon
-const Geodetic start{0.1, 0.2, 0};
-
 VehicleConfig vehicle_of(const RockerBogie& suspension) {
   VehicleConfig vehicle = test::small_body();
   add_rocker_bogie(vehicle, suspension);
   return vehicle;
 }
 
-int link_named(const VehicleConfig& vehicle, const std::string& name) {
+int link_number(const VehicleConfig& vehicle, const std::string& name) {
   const auto found = std::ranges::find(vehicle.links, name, &LinkConfig::name);
   return found == vehicle.links.end() ? -1 : static_cast<int>(found - vehicle.links.begin());
 }
 
 // Rockers without bogies, wheels 0.5 m before and behind the pivot.
-RockerBogie four_wheels() {
+RockerBogie four_wheeled_bogie() {
   RockerBogie s = test::rocker_bogie();
   s.bogie.reset();
   s.stations = {{"front", {0.5, 0.5}, true, true, Arm::rocker},
@@ -71,7 +69,7 @@ TEST(RockerBogie, weighs_what_its_parts_weigh) {
 }
 
 TEST(RockerBogie, spreads_an_arm_between_what_it_joins) {
-  RockerBogie s = four_wheels();
+  RockerBogie s = four_wheeled_bogie();
   const VehicleConfig vehicle = vehicle_of(s);
   // Pivot (0, 0.4, 0.4), hubs (0.5, 0.5, 0.15) and (-0.5, 0.5, 0.15).
   EXPECT_LT((vehicle.links[0].p_JC_m - Vec3(0, 0.2 / 3, -0.5 / 3)).norm(), 1e-12);
@@ -84,7 +82,7 @@ TEST(RockerBogie, shares_its_weight_by_the_lever_law) {
   const VehicleConfig config = vehicle_of(test::rocker_bogie());
   const auto ground = test::moon();
   Vehicle vehicle(config, *ground);
-  ASSERT_EQ(vehicle.place(start, 0), "");
+  ASSERT_EQ(vehicle.place(test::start_place, 0), "");
   test::settle(vehicle);
   // Balance of one side: forces; moments about x = 0; moments about the bogie's pivot, x = -0.2,
   // where its own weight acts. Masses: half of the chassis at 0.05 and of the differential at -0.1,
@@ -95,7 +93,8 @@ TEST(RockerBogie, shares_its_weight_by_the_lever_law) {
       60 * 0.05 + 2.5 * -0.1 + 6 * 0.2 + 4 * -0.2 + 4 * 0.7 + 2 * 0.1 + 4 * -0.6;
   Mat3 levers;
   levers << 1, 1, 1, 0.7, 0.1, -0.6, 0, 0.3, -0.4;
-  const Vec3 loads_n = levers.inverse() * (g * Vec3(half_kg, moment_kgm, 2 * 0.3 - 4 * 0.4));
+  const Vec3 loads_n =
+      levers.inverse() * (test::moon_g_mps2 * Vec3(half_kg, moment_kgm, 2 * 0.3 - 4 * 0.4));
   const std::map<std::string, double> found_n = test::wheel_loads_n(vehicle);
   ASSERT_EQ(found_n.size(), 6u);
   for (const char* side : {"left", "right"}) {
@@ -106,43 +105,44 @@ TEST(RockerBogie, shares_its_weight_by_the_lever_law) {
     EXPECT_NEAR(load_n("middle"), loads_n.y(), 0.01 * loads_n.y());
     EXPECT_NEAR(load_n("rear"), loads_n.z(), 0.01 * loads_n.z());
   }
-  EXPECT_NEAR(test::sum(found_n), config.mass_kg() * g, 1e-3 * config.mass_kg() * g);
+  EXPECT_NEAR(test::sum(found_n), config.mass_kg() * test::moon_g_mps2,
+              1e-3 * config.mass_kg() * test::moon_g_mps2);
 }
 
 // A wheel of larger radius replaces a wheel on a block.
 TEST(RockerBogie, chassis_pitches_by_the_mean_of_its_rockers) {
   constexpr double block_m = 0.08;
-  VehicleConfig config = vehicle_of(four_wheels());
-  const int front_left = link_named(config, "front_left_wheel");
+  VehicleConfig config = vehicle_of(four_wheeled_bogie());
+  const int front_left = link_number(config, "front_left_wheel");
   config.links[static_cast<std::size_t>(front_left)].wheel->radius_m += block_m;
   const auto ground = test::moon();
   Vehicle vehicle(config, *ground);
-  ASSERT_EQ(vehicle.place(start, 0), "");
+  ASSERT_EQ(vehicle.place(test::start_place, 0), "");
   const std::vector<double> joints = vehicle.joint_positions();
-  const double left = joints[static_cast<std::size_t>(link_named(config, "rocker_left"))];
-  const double right = joints[static_cast<std::size_t>(link_named(config, "rocker_right"))];
+  const double left = joints[static_cast<std::size_t>(link_number(config, "rocker_left"))];
+  const double right = joints[static_cast<std::size_t>(link_number(config, "rocker_right"))];
   // The hubs of the left rocker differ in height by the block over 1 m, those of the right one do
   // not. Joint angles are positive with the front end down, pitch with the nose up.
   const double pitch_rad = std::asin(block_m) / 2;
   EXPECT_NEAR(vehicle.report().pitch_rad, pitch_rad, 2e-3);
   EXPECT_NEAR(left - right, -std::asin(block_m), 2e-3);
   EXPECT_NEAR(left + right, 0, 2e-3);
-  EXPECT_NEAR(test::sum(test::wheel_loads_n(vehicle)), config.mass_kg() * g, 1);
+  EXPECT_NEAR(test::sum(test::wheel_loads_n(vehicle)), config.mass_kg() * test::moon_g_mps2, 1);
 }
 
 TEST(RockerBogie, bogie_follows_the_ground_alone) {
   VehicleConfig config = vehicle_of(test::rocker_bogie());
   for (const char* name : {"middle_left_wheel", "middle_right_wheel"}) {
-    config.links[static_cast<std::size_t>(link_named(config, name))].wheel->radius_m += 0.05;
+    config.links[static_cast<std::size_t>(link_number(config, name))].wheel->radius_m += 0.05;
   }
   const auto ground = test::moon();
   Vehicle vehicle(config, *ground);
-  ASSERT_EQ(vehicle.place(start, 0), "");
+  ASSERT_EQ(vehicle.place(test::start_place, 0), "");
   const std::vector<double> joints = vehicle.joint_positions();
   // The middle hubs are 5 cm up, 0.7 m before the rear ones: bogies tilt by that angle in all.
   // Their pivots rise by 4/7 of 5 cm, 0.9 m behind the front hubs, so the rover pitches nose down.
   const double rocker_rad = std::asin(0.05 * 4 / 7 / 0.9);
-  const double bogie = joints[static_cast<std::size_t>(link_named(config, "bogie_left"))];
+  const double bogie = joints[static_cast<std::size_t>(link_number(config, "bogie_left"))];
   EXPECT_NEAR(vehicle.report().pitch_rad, -rocker_rad, 3e-3);
   EXPECT_NEAR(bogie, -std::asin(0.05 / 0.7) - rocker_rad, 5e-3);
 }

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "test_rovers.h"
+#include "test_site.h"
 #include "vehicle/vehicle.h"
 #include "wheel_loads.h"
 
@@ -10,9 +11,6 @@ namespace lsos {
 namespace {
 
 using ::testing::ElementsAre;
-
-constexpr double g = 1.6242;  // GM / R^2 of the Moon
-const Geodetic start{0.1, 0.2, 0};
 
 SkidSteer on_rockers() {
   SkidSteer s = test::skid_steer();
@@ -57,13 +55,13 @@ TEST(SkidSteer, shares_its_weight_by_the_lever_law) {
   add_skid_steer(config, test::skid_steer());
   const auto ground = test::moon();
   Vehicle vehicle(config, *ground);
-  ASSERT_EQ(vehicle.place(start, 0), "");
+  ASSERT_EQ(vehicle.place(test::start_place, 0), "");
   test::settle(vehicle);
   const std::map<std::string, double> loads_n = test::wheel_loads_n(vehicle);
   // The body's 120 kg are at x = 0.05, between axles at 0.4 and -0.4.
-  EXPECT_NEAR(loads_n.at("front_left_wheel"), (60 * 0.45 / 0.8 + 2) * g, 0.5);
-  EXPECT_NEAR(loads_n.at("rear_right_wheel"), (60 * 0.35 / 0.8 + 2) * g, 0.5);
-  EXPECT_NEAR(test::sum(loads_n), 128 * g, 0.2);
+  EXPECT_NEAR(loads_n.at("front_left_wheel"), (60 * 0.45 / 0.8 + 2) * test::moon_g_mps2, 0.5);
+  EXPECT_NEAR(loads_n.at("rear_right_wheel"), (60 * 0.35 / 0.8 + 2) * test::moon_g_mps2, 0.5);
+  EXPECT_NEAR(test::sum(loads_n), 128 * test::moon_g_mps2, 0.2);
 }
 
 TEST(SkidSteer, turns_to_the_side_it_is_told) {
@@ -73,7 +71,7 @@ TEST(SkidSteer, turns_to_the_side_it_is_told) {
     add_skid_steer(config, suspension);
     const auto ground = test::moon();
     Vehicle vehicle(config, *ground);
-    ASSERT_EQ(vehicle.place(start, 0), "");
+    ASSERT_EQ(vehicle.place(test::start_place, 0), "");
     DriveCommand left;
     left.yaw_rate_radps = 0.1;
     left.is_braking = false;

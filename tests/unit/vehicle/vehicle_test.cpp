@@ -6,13 +6,11 @@
 
 #include "base/units.h"
 #include "test_rover.h"
+#include "test_site.h"
 #include "vehicle/suspension/vehicle_checks.h"
 
 namespace lsos {
 namespace {
-
-constexpr double g = 1.6242;  // GM / R^2 of the Moon
-const Geodetic start{0.1, 0.2, 0};
 
 void run(Vehicle& vehicle, double duration_s) {
   for (int i = 0; i < static_cast<int>(duration_s * 10); ++i) vehicle.advance(exchange_period);
@@ -20,23 +18,23 @@ void run(Vehicle& vehicle, double duration_s) {
 
 TEST(Vehicle, stands_level_on_level_ground_at_its_ride_height) {
   const auto ground = test::moon();
-  Vehicle vehicle(test::rover(g), *ground);
-  ASSERT_EQ(vehicle.place(start, radians(30)), "");
+  Vehicle vehicle(test::rover(test::moon_g_mps2), *ground);
+  ASSERT_EQ(vehicle.place(test::start_place, radians(30)), "");
   const VehicleReport report = vehicle.report();
   EXPECT_NEAR(report.heading_rad, radians(30), 1e-6);
   EXPECT_NEAR(report.pitch_rad, 0, 1e-4);
   EXPECT_NEAR(report.roll_rad, 0, 1e-4);
   EXPECT_EQ(report.speed_mps, 0);
   // The weight compresses the wheels: 3840 kg x g / 12 wheels / 1e5 N/m = 5.2 mm.
-  EXPECT_NEAR(report.p_S_m.z(), -3840 * g / 12 / 1e5, 5e-4);
+  EXPECT_NEAR(report.p_S_m.z(), -3840 * test::moon_g_mps2 / 12 / 1e5, 5e-4);
 }
 
 // The ground falls to the north, oblique to the heading, so the rover pitches and rolls at once.
 TEST(Vehicle, keeps_the_heading_that_was_asked_on_a_slope) {
   const auto ground = test::moon(radians(15), 0);
-  Vehicle vehicle(test::rover(g), *ground);
+  Vehicle vehicle(test::rover(test::moon_g_mps2), *ground);
   for (const double heading_deg : {60.0, 120.0, 240.0, 300.0}) {
-    ASSERT_EQ(vehicle.place(start, radians(heading_deg)), "");
+    ASSERT_EQ(vehicle.place(test::start_place, radians(heading_deg)), "");
     const VehicleReport report = vehicle.report();
     EXPECT_NEAR(report.heading_rad, radians(heading_deg), radians(0.2));
     EXPECT_GT(std::abs(report.pitch_rad * report.roll_rad), radians(1));
@@ -45,16 +43,16 @@ TEST(Vehicle, keeps_the_heading_that_was_asked_on_a_slope) {
 
 TEST(Vehicle, drives_straight_at_the_speed_it_was_told) {
   const auto ground = test::moon();
-  const VehicleConfig config = test::rover(g);
+  const VehicleConfig config = test::rover(test::moon_g_mps2);
   Vehicle vehicle(config, *ground);
-  ASSERT_EQ(vehicle.place(start, radians(90)), "");
+  ASSERT_EQ(vehicle.place(test::start_place, radians(90)), "");
   vehicle.command({1.5, 0, false});
   run(vehicle, 20);
   const VehicleReport report = vehicle.report();
   // The rims turn at 1.5 m/s, and slip is counted by the rolling radius.
   const Wheel& wheel = *config.links[2].wheel;
-  const double rolling_radius_m =
-      WheelSoil(test::soil(), wheel, g).rolling_radius_m(config.mass_kg() * g / 12);
+  const double rolling_radius_m = WheelSoil(test::soil(), wheel, test::moon_g_mps2)
+                                      .rolling_radius_m(config.mass_kg() * test::moon_g_mps2 / 12);
   EXPECT_NEAR(report.speed_mps, 1.5 * rolling_radius_m / wheel.radius_m * (1 - report.slip), 0.01);
   EXPECT_NEAR(report.p_S_m.y(), 0, 0.01);
   EXPECT_NEAR(report.p_S_m.x(), vehicle.distance_m(), 0.01);
@@ -64,15 +62,15 @@ TEST(Vehicle, drives_straight_at_the_speed_it_was_told) {
 
 TEST(Vehicle, steady_drive_power_is_the_rolling_resistance) {
   const auto ground = test::moon();
-  const VehicleConfig config = test::rover(g);
+  const VehicleConfig config = test::rover(test::moon_g_mps2);
   Vehicle vehicle(config, *ground);
-  ASSERT_EQ(vehicle.place(start, 0), "");
+  ASSERT_EQ(vehicle.place(test::start_place, 0), "");
   vehicle.command({1, 0, false});
   run(vehicle, 20);
   // Second method: resistance of twelve equally loaded wheels from the pressure law.
   const Wheel& wheel = *config.links[2].wheel;
-  const PressureSinkage law(test::soil(), wheel.radius_m, wheel.width_m, g);
-  const double load_n = config.mass_kg() * g / 12;
+  const PressureSinkage law(test::soil(), wheel.radius_m, wheel.width_m, test::moon_g_mps2);
+  const double load_n = config.mass_kg() * test::moon_g_mps2 / 12;
   const double resistance_n = 12 * law.compaction_resistance_n(vehicle.report().sinkage_m, load_n);
   EXPECT_NEAR(vehicle.report().sinkage_m, law.static_sinkage_m(load_n), 0.0025);  // slip adds to it
   // Rims turn at the 1 m/s commanded; the ground passes slower by the slip.
@@ -86,8 +84,8 @@ TEST(Vehicle, climbing_takes_the_work_of_climbing) {
   double energy_jpm[2], slip = 0, rise = 0;
   int i = 0;
   for (const Ground* ground : {flat.get(), hill.get()}) {
-    Vehicle vehicle(test::rover(g), *ground);
-    ASSERT_EQ(vehicle.place(start, 0), "");
+    Vehicle vehicle(test::rover(test::moon_g_mps2), *ground);
+    ASSERT_EQ(vehicle.place(test::start_place, 0), "");
     vehicle.command({1, 0, false});
     run(vehicle, 20);
     const double before_j = vehicle.drive_j(), before_m = vehicle.distance_m();
@@ -101,14 +99,14 @@ TEST(Vehicle, climbing_takes_the_work_of_climbing) {
   EXPECT_NEAR(rise, std::sin(radians(8)), 1e-3);
   // Rims travel 1/(1 - slip) times as far as the rover; resistance falls a little with the load's
   // cosine.
-  const double climb_jpm = 3840 * g * rise / 0.8 / (1 - slip);
+  const double climb_jpm = 3840 * test::moon_g_mps2 * rise / 0.8 / (1 - slip);
   EXPECT_NEAR(energy_jpm[1] - energy_jpm[0] / (1 - slip), climb_jpm, 0.04 * climb_jpm);
 }
 
 TEST(Vehicle, holds_on_a_slope_with_its_brakes) {
   const auto ground = test::moon(radians(20), radians(90));
-  Vehicle vehicle(test::rover(g), *ground);
-  ASSERT_EQ(vehicle.place(start, radians(90)), "");
+  Vehicle vehicle(test::rover(test::moon_g_mps2), *ground);
+  ASSERT_EQ(vehicle.place(test::start_place, radians(90)), "");
   run(vehicle, 20);
   const Vec3 before_S_m = vehicle.report().p_S_m;
   run(vehicle, 300);
@@ -132,15 +130,15 @@ TEST(Vehicle, comes_to_rest_among_small_craters) {
   constexpr std::pair<int, int> places[] = {{2, 9}, {2, 12}, {8, 8}, {11, 1}, {14, 1}, {26, 14}};
   for (const auto& [seed, east] : places) {
     const Ground ground(spec, SiteFrame(*find_body("Moon"), {0.1, 0.2, 0}), seed);
-    Vehicle vehicle(test::rover(g), ground);
+    Vehicle vehicle(test::rover(test::moon_g_mps2), ground);
     EXPECT_EQ(vehicle.place({0.1 + 5e-6 * east, 0.2, 0}, 0.2 * seed), "") << seed;
   }
 }
 
 TEST(Vehicle, turns_on_the_spot) {
   const auto ground = test::moon();
-  Vehicle vehicle(test::rover(g), *ground);
-  ASSERT_EQ(vehicle.place(start, 0), "");
+  Vehicle vehicle(test::rover(test::moon_g_mps2), *ground);
+  ASSERT_EQ(vehicle.place(test::start_place, 0), "");
   vehicle.command({0, 0.1, false});
   for (int i = 0; i < 200; ++i) {
     vehicle.advance(exchange_period);
@@ -159,10 +157,10 @@ TEST(Vehicle, half_the_step_ends_at_the_same_place) {
   VehicleReport ends[2];
   double energy_j[2];
   for (const int i : {0, 1}) {
-    VehicleConfig config = test::rover(g);
+    VehicleConfig config = test::rover(test::moon_g_mps2);
     if (i == 1) config.step /= 2;
     Vehicle vehicle(config, *ground);
-    ASSERT_EQ(vehicle.place(start, 0), "");
+    ASSERT_EQ(vehicle.place(test::start_place, 0), "");
     vehicle.command({1.5, 0.02, false});
     run(vehicle, 60);
     ends[i] = vehicle.report();
@@ -174,13 +172,13 @@ TEST(Vehicle, half_the_step_ends_at_the_same_place) {
 
 TEST(Vehicle, goes_on_bit_for_bit_from_saved_state) {
   const auto ground = test::moon(radians(5), radians(200));
-  Vehicle first(test::rover(g), *ground);
-  ASSERT_EQ(first.place(start, 0), "");
+  Vehicle first(test::rover(test::moon_g_mps2), *ground);
+  ASSERT_EQ(first.place(test::start_place, 0), "");
   first.command({1.5, 0.05, false});
   run(first, 5);
   Archive saved = Archive::writer();
   first.archive(saved);
-  Vehicle second(test::rover(g), *ground);
+  Vehicle second(test::rover(test::moon_g_mps2), *ground);
   Archive reader = Archive::reader(saved.bytes());
   second.archive(reader);
   for (Vehicle* vehicle : {&first, &second}) {
@@ -196,8 +194,8 @@ TEST(Vehicle, goes_on_bit_for_bit_from_saved_state) {
 
 TEST(Vehicle, crabs_without_turning) {
   const auto ground = test::moon();
-  Vehicle vehicle(test::rover(g), *ground);
-  ASSERT_EQ(vehicle.place(start, 0), "");
+  Vehicle vehicle(test::rover(test::moon_g_mps2), *ground);
+  ASSERT_EQ(vehicle.place(test::start_place, 0), "");
   vehicle.command({0.5, 0, false, 0.5});
   for (int i = 0; i < 300; ++i) {
     vehicle.command({0.5, 0, false, 0.5});
@@ -214,12 +212,12 @@ TEST(Vehicle, a_locked_wheel_drags_and_costs_power_and_a_free_one_rolls_along) {
   const auto ground = test::moon();
   double speed_mps[3], power_w[3];
   for (const WheelMode mode : {WheelMode::driven, WheelMode::free, WheelMode::locked}) {
-    VehicleConfig config = test::rover(g);
+    VehicleConfig config = test::rover(test::moon_g_mps2);
     for (LinkConfig& link : config.links) {
       if (link.name.starts_with("front_left_wheel")) link.wheel_mode = mode;
     }
     Vehicle vehicle(config, *ground);
-    ASSERT_EQ(vehicle.place(start, 0), "");
+    ASSERT_EQ(vehicle.place(test::start_place, 0), "");
     vehicle.command({1, 0, false});
     run(vehicle, 20);
     const auto i = static_cast<std::size_t>(mode);
@@ -242,12 +240,12 @@ TEST(Vehicle, a_locked_wheel_drags_and_costs_power_and_a_free_one_rolls_along) {
 
 TEST(Vehicle, a_motor_gives_no_more_than_its_line_from_stall_to_no_load) {
   const auto ground = test::moon();
-  VehicleConfig config = test::rover(g);
+  VehicleConfig config = test::rover(test::moon_g_mps2);
   for (LinkConfig& link : config.links) {
     if (link.drive) link.drive->no_load_speed_radps = 3;  // 1.5 m/s at the rim
   }
   Vehicle vehicle(config, *ground);
-  ASSERT_EQ(vehicle.place(start, 0), "");
+  ASSERT_EQ(vehicle.place(test::start_place, 0), "");
   vehicle.command({2.5, 0, false});
   run(vehicle, 60);
   // Rolling resistance keeps it a little under the no-load speed.
@@ -260,8 +258,8 @@ TEST(Vehicle, starts_on_a_slope_without_rolling_back_and_without_running_away) {
   // downhill.
   for (const double heading : {0.0, 180.0}) {
     const auto ground = test::moon(radians(15), radians(180));
-    Vehicle vehicle(test::rover(g), *ground);
-    ASSERT_EQ(vehicle.place(start, radians(heading)), "");
+    Vehicle vehicle(test::rover(test::moon_g_mps2), *ground);
+    ASSERT_EQ(vehicle.place(test::start_place, radians(heading)), "");
     const double begin_m = vehicle.report().p_S_m.y();
     double lowest_m = 0;
     for (int i = 0; i < 200; ++i) {
@@ -281,10 +279,10 @@ TEST(Vehicle, drive_calibration_scales_the_electrical_energy_alone) {
   const auto ground = test::moon();
   double drive_j[2], motors_j[2];
   for (const int i : {0, 1}) {
-    VehicleConfig config = test::rover(g);
+    VehicleConfig config = test::rover(test::moon_g_mps2);
     if (i == 1) config.drive_calibration = 1.25;
     Vehicle vehicle(config, *ground);
-    ASSERT_EQ(vehicle.place(start, 0), "");
+    ASSERT_EQ(vehicle.place(test::start_place, 0), "");
     vehicle.command({1, 0, false});
     run(vehicle, 20);
     drive_j[i] = vehicle.drive_j();
@@ -296,8 +294,8 @@ TEST(Vehicle, drive_calibration_scales_the_electrical_energy_alone) {
 
 TEST(Vehicle, electrical_energy_is_the_motors_work_over_their_efficiency_on_the_level) {
   const auto ground = test::moon();
-  Vehicle vehicle(test::rover(g), *ground);
-  ASSERT_EQ(vehicle.place(start, 0), "");
+  Vehicle vehicle(test::rover(test::moon_g_mps2), *ground);
+  ASSERT_EQ(vehicle.place(test::start_place, 0), "");
   vehicle.command({1, 0, false});
   run(vehicle, 30);
   EXPECT_NEAR(vehicle.drive_j(), vehicle.work().motors_j / 0.8, 0.005 * vehicle.drive_j());
@@ -306,7 +304,7 @@ TEST(Vehicle, electrical_energy_is_the_motors_work_over_their_efficiency_on_the_
 TEST(Vehicle, lies_on_its_chassis_when_wheels_find_no_hold) {
   // Soft springs let the chassis down to the ground.
   const auto ground = test::moon();
-  VehicleConfig config = test::rover(g);
+  VehicleConfig config = test::rover(test::moon_g_mps2);
   config.chassis_clearance_m = 0.05;
   for (LinkConfig& link : config.links) {
     if (!link.spring) continue;
@@ -315,7 +313,7 @@ TEST(Vehicle, lies_on_its_chassis_when_wheels_find_no_hold) {
     link.spring->stop_stiffness = 1000;
   }
   Vehicle vehicle(config, *ground);
-  vehicle.place(start, 0);
+  vehicle.place(test::start_place, 0);
   run(vehicle, 5);
   const VehicleReport report = vehicle.report();
   EXPECT_TRUE(report.is_chassis_on_ground);
@@ -325,8 +323,8 @@ TEST(Vehicle, lies_on_its_chassis_when_wheels_find_no_hold) {
 
 TEST(Vehicle, says_where_numbers_broke_and_stops) {
   const auto ground = test::moon();
-  Vehicle vehicle(test::rover(g), *ground);
-  ASSERT_EQ(vehicle.place(start, 0), "");
+  Vehicle vehicle(test::rover(test::moon_g_mps2), *ground);
+  ASSERT_EQ(vehicle.place(test::start_place, 0), "");
   run(vehicle, 1);
   vehicle.command({std::nan(""), 0, false});
   run(vehicle, 1);
@@ -337,8 +335,8 @@ TEST(Vehicle, says_where_numbers_broke_and_stops) {
 
 TEST(Vehicle, its_energy_changes_by_the_work_done_on_it) {
   const auto ground = test::moon();
-  Vehicle vehicle(test::rover(g), *ground);
-  ASSERT_EQ(vehicle.place(start, 0), "");
+  Vehicle vehicle(test::rover(test::moon_g_mps2), *ground);
+  ASSERT_EQ(vehicle.place(test::start_place, 0), "");
   vehicle.command({2, 0, false});
   run(vehicle, 5);
   const WorkDone before = vehicle.work();
@@ -350,7 +348,7 @@ TEST(Vehicle, its_energy_changes_by_the_work_done_on_it) {
 }
 
 TEST(StabilityFaults, refuse_a_step_too_long_for_a_stiff_wheel) {
-  VehicleConfig config = test::rover(g);
+  VehicleConfig config = test::rover(test::moon_g_mps2);
   EXPECT_TRUE(stability_faults(config).empty());
   // A wheel like MER's, 1.5 kg on 1e5 N/m, is unstable at 5 ms (omega x step = 1.29).
   config.links[2].inertia.mass_kg = 1.5;

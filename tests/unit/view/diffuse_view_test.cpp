@@ -6,10 +6,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "unit/view/view_fixture.h"
+
 namespace lsos {
 namespace {
 
-constexpr double pi = std::numbers::pi, deg = pi / 180;
+using test::deg;
+
+using std::numbers::pi;
 
 // A panel whose normal leans away from up by that angle, towards the north.
 PanelFace leaning(double lean_rad, double side_m = 1) {

@@ -6,11 +6,12 @@
 #include <numbers>
 
 #include "terrain/detail/landforms.h"
+#include "unit/view/view_fixture.h"
 
 namespace lsos {
 namespace {
 
-constexpr double deg = std::numbers::pi / 180;
+using test::deg;
 const SiteFrame site{*find_body("Moon"), geodetic_from_degrees(0, -85)};
 
 HorizonPoint look(const Ground& ground, double height_m, double azimuth_rad, double lowest_rad) {

@@ -6,12 +6,13 @@
 #include <numbers>
 
 #include "planet/sunlight.h"
+#include "unit/view/view_fixture.h"
 #include "view/exposure/ground_light.h"
 
 namespace lsos {
 namespace {
 
-constexpr double deg = std::numbers::pi / 180;
+using test::deg;
 
 Instant utc(const char* text) { return *parse_utc(text).value; }
 

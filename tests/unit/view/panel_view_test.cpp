@@ -7,12 +7,13 @@
 #include <numbers>
 #include <random>
 
+#include "unit/view/view_fixture.h"
 #include "view/exposure/sun_disc.h"
 
 namespace lsos {
 namespace {
 
-constexpr double deg = std::numbers::pi / 180;
+using test::deg;
 
 struct Box {
   Vec3 size_m;
@@ -53,7 +54,7 @@ double share_by_rays(const PanelFace& panel, const std::vector<Box>& boxes, cons
   return static_cast<double>(seen) / (side * side);
 }
 
-Vec3 sun_at(double azimuth_deg, double elevation_deg) {
+Vec3 sun_direction(double azimuth_deg, double elevation_deg) {
   const double a = azimuth_deg * deg, e = elevation_deg * deg;
   return {std::cos(e) * std::sin(a), std::cos(e) * std::cos(a), std::sin(e)};
 }
@@ -85,9 +86,9 @@ TEST_F(PanelInView, from_near_by_is_seen_in_perspective) {
 
 TEST_F(PanelInView, alone_is_seen_whole_from_its_front_only) {
   const PanelFace panel{{1, 2, 3}, {0.5, 0, 0}, {0, 0.3, 0}};
-  EXPECT_EQ(share(panel, {}, sun_at(30, 40)), 1);
-  EXPECT_EQ(share(panel, {}, sun_at(30, -40)), 0);
-  EXPECT_EQ(share(panel, {{Vec3::Ones(), Mat3::Identity(), {1, 2, 0}}}, sun_at(30, 40)), 1);
+  EXPECT_EQ(share(panel, {}, sun_direction(30, 40)), 1);
+  EXPECT_EQ(share(panel, {}, sun_direction(30, -40)), 0);
+  EXPECT_EQ(share(panel, {{Vec3::Ones(), Mat3::Identity(), {1, 2, 0}}}, sun_direction(30, 40)), 1);
 }
 
 TEST_F(PanelInView, is_half_in_the_shade_of_a_wall) {
@@ -96,7 +97,7 @@ TEST_F(PanelInView, is_half_in_the_shade_of_a_wall) {
   const double away_m = 10, elevation_deg = 20;
   const double wall_m = 1 + away_m * std::tan(elevation_deg * deg);
   const Box wall{{100, 0.1, 2 * wall_m}, Mat3::Identity(), {0, away_m + 0.05, 0}};
-  EXPECT_NEAR(share(panel, {wall}, sun_at(0, elevation_deg)), 0.5, 0.01);
+  EXPECT_NEAR(share(panel, {wall}, sun_direction(0, elevation_deg)), 0.5, 0.01);
 }
 
 TEST_F(PanelInView, is_dark_behind_something_large_at_any_distance) {
@@ -169,7 +170,8 @@ std::vector<double> shares_on(GpuChoice choice, std::string& device) {
     const Vec3 u = upright.cross(vector()).normalized();
     const PanelFace panel{0.5 * vector(), 0.8 * u, 0.5 * upright.cross(u)};
     std::vector<Vec3> suns;
-    for (int k = 0; k < 32; ++k) suns.push_back(sun_at(180 * unit(random), 45 + 44 * unit(random)));
+    for (int k = 0; k < 32; ++k)
+      suns.push_back(sun_direction(180 * unit(random), 45 + 44 * unit(random)));
     const auto seen = view.visible_shares(panel, occluders, suns);
     shares.insert(shares.end(), seen.begin(), seen.end());
   }

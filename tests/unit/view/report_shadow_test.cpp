@@ -7,22 +7,13 @@
 #include <numbers>
 
 #include "planet/sunlight.h"
+#include "unit/view/view_fixture.h"
 #include "view/exposure/ground_light.h"
 
 namespace lsos {
 namespace {
 
-constexpr double deg = std::numbers::pi / 180;
-
-TerrainSpec bowl_and_hill() {
-  TerrainSpec spec;
-  ReliefSurface relief;
-  relief.lat_rad = -85 * deg;
-  relief.landforms = {{"bowl", 0, -84.97 * deg, 700, 90, 20},
-                      {"hill", 0.03, -84.95 * deg, 1500, 0, 120}};
-  spec.layers = {relief};
-  return spec;
-}
+using test::deg;
 
 // The first moment, in steps of an hour, at which the Sun stands so high or higher there.
 Instant sun_at(const SiteFrame& site, double elevation_rad) {
@@ -37,7 +28,7 @@ Instant sun_at(const SiteFrame& site, double elevation_rad) {
 
 TEST(ReportShadow, is_where_marching_has_it) {
   const SiteFrame site(*find_body("Moon"), geodetic_from_degrees(0, -85));
-  Ground ground(bowl_and_hill(), site, 1);
+  Ground ground(test::bowl_and_hill(), site, 1);
   const MapCells cells{-1500, 2500, 10, 300, 300};
   for (const double elevation_deg : {0.6, 2.0}) {
     const Instant at = sun_at(site, elevation_deg * deg);

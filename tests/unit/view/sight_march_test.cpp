@@ -6,10 +6,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "unit/view/view_fixture.h"
+
 namespace lsos {
 namespace {
 
-constexpr double deg = std::numbers::pi / 180;
+using test::deg;
 
 Ground level(const char* body) {
   TerrainSpec spec;

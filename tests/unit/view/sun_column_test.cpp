@@ -8,13 +8,15 @@
 #include <random>
 
 #include "support/cratered_terrain.h"
+#include "unit/view/view_fixture.h"
 #include "view/exposure/panel_view.h"
 #include "view/exposure/sun_disc.h"
 
 namespace lsos {
 namespace {
 
-constexpr double deg = std::numbers::pi / 180;
+using test::deg;
+using test::direction;
 
 double share_by_drawing(PanelView& view, const Ground& ground, const PanelFace& panel,
                         const std::vector<DiscSample>& samples, const Vec3& sun_S,
@@ -49,11 +51,6 @@ bool is_lit(Probes& probes, const Vec3& from_S_m, const Vec3& towards) {
     distance_m += std::max({0.05, 0.002 * distance_m, 0.3 * ground.gap_m});
   }
   return true;
-}
-
-Vec3 direction(double azimuth_rad, double elevation_rad) {
-  return {std::cos(elevation_rad) * std::sin(azimuth_rad),
-          std::cos(elevation_rad) * std::cos(azimuth_rad), std::sin(elevation_rad)};
 }
 
 // Elevation at which the sky begins.

@@ -10,32 +10,21 @@
 #include <fstream>
 #include <numbers>
 
+#include "unit/view/view_fixture.h"
 #include "view/exposure/ground_light.h"
 
 namespace lsos {
 namespace {
 
-constexpr double deg = std::numbers::pi / 180, disc_rad = 0.27 * deg;
+using test::deg;
+using test::direction;
 
-TerrainSpec bowl_and_hill() {
-  TerrainSpec spec;
-  ReliefSurface relief;
-  relief.lat_rad = -85 * deg;
-  relief.landforms = {{"bowl", 0, -84.97 * deg, 700, 90, 20},
-                      {"hill", 0.03, -84.95 * deg, 1500, 0, 120}};
-  spec.layers = {relief};
-  return spec;
-}
+constexpr double disc_rad = 0.27 * deg;
 
 struct Relief {
   SiteFrame site{*find_body("Moon"), geodetic_from_degrees(0, -85)};
-  Ground ground{bowl_and_hill(), site, 1};
+  Ground ground{test::bowl_and_hill(), site, 1};
 };
-
-Vec3 direction(double azimuth_rad, double elevation_rad) {
-  return {std::cos(elevation_rad) * std::sin(azimuth_rad),
-          std::cos(elevation_rad) * std::cos(azimuth_rad), std::sin(elevation_rad)};
-}
 
 double mean_difference(Relief& relief, double azimuth_rad, const GroundSector& sector) {
   const Vec3 eye_S_m(0, 0, 20), sun_S = direction(azimuth_rad, 4 * deg);
@@ -68,7 +57,7 @@ TEST(TerrainShadow, is_where_marching_has_it) {
 
 // A mountain range on the horizon hides the disc's lower part, over rough ground near by.
 TEST(TerrainShadow, of_a_range_far_away_hides_a_part_of_the_disc) {
-  TerrainSpec spec = bowl_and_hill();
+  TerrainSpec spec = test::bowl_and_hill();
   std::get<ReliefSurface>(spec.layers[0])
       .landforms.push_back({"range", 0, -84.2 * deg, 20e3, 0, 1800});
   spec.detail = Detail{};

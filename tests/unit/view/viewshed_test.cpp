@@ -10,12 +10,13 @@
 
 #include "support/reference_data.h"
 #include "terrain/raster/raster.h"
+#include "unit/view/view_fixture.h"
 #include "view/ground/sight_march.h"
 
 namespace lsos {
 namespace {
 
-constexpr double deg = std::numbers::pi / 180;
+using test::deg;
 
 Viewshed marched(const Ground& ground, const MapHeights* heights, const Observer& observer,
                  const ViewSector& sector) {
