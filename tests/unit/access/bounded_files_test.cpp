@@ -4,13 +4,13 @@
 #include <cpl_vsi.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "access/refusal.h"
+#include "support/test_folder.h"
 
 namespace lsos {
 namespace {
@@ -20,11 +20,9 @@ namespace fs = std::filesystem;
 class BoundedFiles : public ::testing::Test {
  protected:
   BoundedFiles() {
-    archive_ = fs::temp_directory_path() / ("lsos_packed_" + std::to_string(::getpid()) + ".zip");
     bound_file_systems();
     forget_refusal();
   }
-  ~BoundedFiles() override { fs::remove(archive_); }
 
   std::string packed(const std::string& name) const {
     return "/vsizip/" + archive_.string() + "/" + name;
@@ -47,7 +45,8 @@ class BoundedFiles : public ::testing::Test {
     return true;
   }
 
-  fs::path archive_;
+  const TestFolder folder_;
+  const fs::path archive_ = folder_ / "maps.zip";
 };
 
 TEST_F(BoundedFiles, of_an_archive_that_are_read_whole_are_bounded) {
