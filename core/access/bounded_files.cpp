@@ -2,7 +2,6 @@
 
 #include <cpl_conv.h>
 #include <cpl_string.h>
-#include <cpl_vsi_virtual.h>
 
 #include <fmt/format.h>
 
@@ -13,8 +12,10 @@
 #include <memory>
 #include <set>
 #include <string_view>
+#include <vector>
 
 #include "access/file_access.h"
+#include "access/forwarded_files.h"
 #include "access/open_budget.h"
 #include "access/refusal.h"
 #include "base/bounded_file.h"
@@ -33,11 +34,14 @@ bool is_companion(const char* path) {
   return std::ranges::any_of(endings, [&](const char* end) { return EQUAL(ending.c_str(), end); });
 }
 
+constexpr const char* make_geotiff =
+    "; gdal_translate makes a GeoTIFF, which needs no file beside it";
+
 // The file system of the machine.
-class BoundedFiles : public VSIFilesystemHandler {
+class BoundedFiles : public ForwardedFiles {
  public:
   // Takes over `files`, which GDAL owned.
-  explicit BoundedFiles(VSIFilesystemHandler* files) : files_(files) {}
+  explicit BoundedFiles(VSIFilesystemHandler* files) : ForwardedFiles(files), owned_(files) {}
 
   VSIVirtualHandle* Open(const char* path, const char* access, bool sets_error,
                          CSLConstList options) override {
@@ -47,40 +51,30 @@ class BoundedFiles : public VSIFilesystemHandler {
       refuse(too_many_files());
       return nullptr;
     }
-    return files_->Open(path, access, sets_error, options);
+    return files().Open(path, access, sets_error, options);
   }
   int Stat(const char* path, VSIStatBufL* stat, int flags) override {
-    if (is_allowed(path)) return files_->Stat(path, stat, flags);
+    if (is_allowed(path)) return files().Stat(path, stat, flags);
     errno = ENOENT;
     return -1;
   }
   char** ReadDirEx(const char* folder, int files_max) override {
-    return is_allowed(folder) ? files_->ReadDirEx(folder, files_max) : nullptr;
+    return is_allowed(folder) ? files().ReadDirEx(folder, files_max) : nullptr;
   }
   char** SiblingFiles(const char* path) override {
-    return is_allowed(path) ? files_->SiblingFiles(path) : nullptr;
+    return is_allowed(path) ? files().SiblingFiles(path) : nullptr;
   }
   VSIDIR* OpenDir(const char* folder, int depth, const char* const* options) override {
-    return is_allowed(folder) ? files_->OpenDir(folder, depth, options) : nullptr;
+    return is_allowed(folder) ? files().OpenDir(folder, depth, options) : nullptr;
   }
-  int Unlink(const char* path) override { return check(path) ? files_->Unlink(path) : -1; }
+  int Unlink(const char* path) override { return check(path) ? files().Unlink(path) : -1; }
   int Rename(const char* from, const char* to) override {
-    return check(from) && check(to) ? files_->Rename(from, to) : -1;
+    return check(from) && check(to) ? files().Rename(from, to) : -1;
   }
   int Mkdir(const char* folder, long mode) override {
-    return check(folder) ? files_->Mkdir(folder, mode) : -1;
+    return check(folder) ? files().Mkdir(folder, mode) : -1;
   }
-  int Rmdir(const char* folder) override { return check(folder) ? files_->Rmdir(folder) : -1; }
-  int IsCaseSensitive(const char* path) override { return files_->IsCaseSensitive(path); }
-  GIntBig GetDiskFreeSpace(const char* folder) override { return files_->GetDiskFreeSpace(folder); }
-  int SupportsSparseFiles(const char* path) override { return files_->SupportsSparseFiles(path); }
-  bool IsLocal(const char* path) override { return files_->IsLocal(path); }
-  bool SupportsSequentialWrite(const char* path, bool may_be_temporary) override {
-    return files_->SupportsSequentialWrite(path, may_be_temporary);
-  }
-  bool SupportsRandomWrite(const char* path, bool may_be_temporary) override {
-    return files_->SupportsRandomWrite(path, may_be_temporary);
-  }
+  int Rmdir(const char* folder) override { return check(folder) ? files().Rmdir(folder) : -1; }
 
  private:
   static bool check(const char* path) {
@@ -97,7 +91,7 @@ class BoundedFiles : public VSIFilesystemHandler {
     std::string why = other_than_file(path);
     if (why.empty() && is_companion(path)) {
       why = larger_than(path, companion_bytes_max);
-      if (!why.empty()) why += "; gdal_translate makes a GeoTIFF, which needs no file beside it";
+      if (!why.empty()) why += make_geotiff;
     }
     if (why.empty()) return true;
     if (why != is_folder) refuse(fmt::format("'{}' {}", path, why));
@@ -105,7 +99,35 @@ class BoundedFiles : public VSIFilesystemHandler {
     return false;
   }
 
-  std::unique_ptr<VSIFilesystemHandler> files_;
+  std::unique_ptr<VSIFilesystemHandler> owned_;
+};
+
+// Files in archives: a few kilobytes of an archive can stand for gigabytes of such a file.
+class PackedFiles : public ForwardedFiles {
+ public:
+  // Takes over `files`, which GDAL owned.
+  explicit PackedFiles(VSIFilesystemHandler* files) : ForwardedFiles(files), owned_(files) {}
+
+  VSIVirtualHandle* Open(const char* path, const char* access, bool sets_error,
+                         CSLConstList options) override {
+    VSIVirtualHandle* file = files().Open(path, access, sets_error, options);
+    if (file == nullptr || access[0] != 'r' || !is_companion(path)) return file;
+    // Read rather than asked, as a directory's sizes need not be true and a stream has none.
+    std::vector<char> some(1 << 20);
+    for (std::size_t read = 0; read <= companion_bytes_max; read += some.size()) {
+      if (file->Read(some.data(), 1, some.size()) == some.size()) continue;
+      file->Seek(0, SEEK_SET);
+      return file;
+    }
+    file->Close();
+    delete file;
+    refuse(fmt::format("'{}' {}{}", path, too_large(companion_bytes_max), make_geotiff));
+    errno = EACCES;
+    return nullptr;
+  }
+
+ private:
+  std::unique_ptr<VSIFilesystemHandler> owned_;
 };
 
 bool is_stream(std::string_view prefix) { return prefix.starts_with("/vsistd"); }
@@ -191,6 +213,9 @@ void bound_other_file_systems() {
 void bound_file_systems() {
   // GDAL owns the handlers that it is given.
   VSIFileManager::InstallHandler("", new BoundedFiles(VSIFileManager::GetHandler("")));
+  for (const char* prefix : {"/vsizip/", "/vsitar/", "/vsigzip/"}) {
+    VSIFileManager::InstallHandler(prefix, new PackedFiles(VSIFileManager::GetHandler(prefix)));
+  }
   bound_other_file_systems();
 }
 

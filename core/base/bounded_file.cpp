@@ -44,12 +44,6 @@ std::string kind_of(const struct stat& status) {
   return "is a device or a terminal";
 }
 
-std::string too_large(std::size_t bytes_max) {
-  constexpr int mib = 20;
-  return bytes_max >> mib > 0 ? fmt::format("is larger than {} MiB", bytes_max >> mib)
-                              : fmt::format("is larger than {} bytes", bytes_max);
-}
-
 // Waits until something can be read; false after `silence_max`.
 bool await_bytes(int descriptor, std::chrono::milliseconds silence_max) {
   pollfd wanted{descriptor, POLLIN, 0};
@@ -65,6 +59,12 @@ bool await_bytes(int descriptor, std::chrono::milliseconds silence_max) {
 }
 
 }  // namespace
+
+std::string too_large(std::size_t bytes_max) {
+  constexpr int mib = 20;
+  return bytes_max >> mib > 0 ? fmt::format("is larger than {} MiB", bytes_max >> mib)
+                              : fmt::format("is larger than {} bytes", bytes_max);
+}
 
 Parsed<std::string> read_bounded(const std::string& file, const FileBounds& bounds) {
   const Descriptor in(file);

@@ -30,7 +30,9 @@ inline constexpr const char* is_folder = "is a folder";
 // What stands at a path that is no regular file: `is_folder`, "is a pipe"; "" where it is one, or
 // where there is nothing.
 std::string other_than_file(const std::string& path);
-// "is larger than 64 MiB", "" for a file that is not, or for none.
+// "is larger than 64 MiB".
+std::string too_large(std::size_t bytes_max);
+// The same, "" for a file that is not larger, or for none.
 std::string larger_than(const std::string& path, std::size_t bytes_max);
 
 }  // namespace lsos

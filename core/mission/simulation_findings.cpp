@@ -54,6 +54,13 @@ void Simulation::warn_of_ends() {
     const auto warning = looks.warning(setup_.plan.mission.start_time);
     if (warning) warnings_.add_last(*warning);
   };
+  for (const std::string& file : site_.ground->changed_files()) {
+    warnings_.add_last(
+        fmt::format("{}: has changed during the run, whose ground may be partly that of the old "
+                    "file and partly "
+                    "that of the new one; run the plan again",
+                    file));
+  }
   if (sunlight_) add(sunlight_->over_end());
   if (!sight_) return;
   add(sight_->watch().earth_over_end());

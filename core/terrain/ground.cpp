@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "planet/vertical_cells.h"
 #include "terrain/blend.h"
@@ -63,6 +64,16 @@ std::string Ground::stamp() const {
   hash.add(this->hash());
   for (const auto& layer : impl_->layers) layer->grid().add_change_to(hash);
   return hash.hex();
+}
+
+std::vector<std::string> Ground::changed_files() const {
+  std::set<std::string> files;
+  const auto add = [&](const std::vector<std::string>& changed) {
+    files.insert(changed.begin(), changed.end());
+  };
+  for (const auto& layer : impl_->layers) add(layer->grid().changed_files());
+  add(impl_->soils.changed_files());
+  return {files.begin(), files.end()};
 }
 
 std::string Ground::slivers(const Geodetic& place) const {

@@ -74,6 +74,9 @@ class Ground {
   std::string hash() const;
   // Also distinguishes large rasters that hash() may take for the same, by their time of change.
   std::string stamp() const;
+  // Rasters that have been written, replaced or removed since they were opened, sorted: what was
+  // read of them may be partly old and partly new.
+  std::vector<std::string> changed_files() const;
   // Reason why no rover can drive at a place although its heights are known: next to a pole, cells
   // of a raster in longitude and latitude are slivers; "" where they are not.
   std::string slivers(const Geodetic& place) const;

@@ -128,4 +128,14 @@ void SoilMap::add_to(Sha256& hash) const {
   }
 }
 
+std::vector<std::string> SoilMap::changed_files() const {
+  std::vector<std::string> all;
+  for (const auto& region : regions_) {
+    if (region->raster == nullptr) continue;
+    const std::vector<std::string> changed = region->raster->changed_files();
+    all.insert(all.end(), changed.begin(), changed.end());
+  }
+  return all;
+}
+
 }  // namespace lsos

@@ -25,6 +25,8 @@ class SoilMap {
   // Index of the soil at a point of the site plane. May be called from any thread.
   int at(const PlanePoint& at) const;
   void add_to(Sha256& hash) const;
+  // See HeightGrid.
+  std::vector<std::string> changed_files() const;
 
  private:
   struct Region;

@@ -77,6 +77,24 @@ TEST(HeavyLog, ends_the_run_at_its_greatest_size_which_resume_may_raise) {
   EXPECT_EQ(counted.out, "20000\n");
 }
 
+// A reason is cut to 4,000 bytes, in the middle of a letter but for the care taken.
+TEST(HeavyLog, of_a_long_reason_is_read_again) {
+  const TempFolder folder;
+  folder.write(
+      "events/Sorry.lua",
+      "local lsos = require 'lsos'\n"
+      "return lsos.event { api = 1, doc = 'Fails.', params = {}, start = 'fail',\n"
+      "  phases = { fail = function() return lsos.fail('x' .. ('\u00e4'):rep(3000)) end } }\n");
+  const std::string plan =
+      folder.write("plan.kml", kml({mission(), sev("A", "0,0"), event("Sorry", "A", 1, {})}));
+  const Outcome ended = run({plan, "-o", folder / "run", "--quiet"});
+  EXPECT_EQ(ended.exit_code, 1) << ended.err;
+  EXPECT_EQ(run({"report", folder / "run", "--no-pictures"}).exit_code, 0);
+  EXPECT_EQ(run({"compare", folder / "run", folder / "run"}).exit_code, 0);
+  const auto summary = nlohmann::json::parse(read_text(folder / "run/summary.json"));
+  EXPECT_THAT(std::string(summary["events"][0]["reason"]), HasSubstr("x\u00e4\u00e4"));
+}
+
 TEST(HeavyLog, has_a_greatest_size_above_0) {
   const TempFolder folder;
   const std::string plan = write_chatty_plan(folder, "1 s", 0, 0);

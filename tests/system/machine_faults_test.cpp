@@ -11,6 +11,7 @@
 
 #include "support/sanitizer.h"
 #include "system/killed_runs.h"
+#include "system/moon_ground.h"
 
 namespace lsos::test {
 namespace {
@@ -18,6 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::AnyOf;
 using ::testing::HasSubstr;
+using ::testing::Matcher;
 using ::testing::Not;
 
 // Enough rows to fill a small disk, in some seconds.
@@ -132,6 +134,25 @@ TEST_F(MachineFault, of_a_log_that_another_program_locks_is_waited_for) {
   process->signal(SIGTERM);
   EXPECT_EQ(process->wait().exit_code, 128 + SIGTERM);
   EXPECT_EQ(query(log(), "pragma integrity_check"), "ok");
+}
+
+TEST_F(MachineFault, of_a_raster_that_changes_under_a_run_is_said) {
+  write_raster(folder_, "flat", 400, [](double, double) { return 3.0; });
+  write_terrain(folder_, "Flat", "lsos.raster { file = 'flat.asc' }", "lsos.soil { rigid = true }");
+  plan_ = folder_.write("plan.kml", kml({on("Flat"), sev("A", "0,0"),
+                                         event("Pause", "A", 10, {{"Duration", "3 h"}})}));
+  for (const bool changes : {false, true}) {
+    fs::remove_all(run_);
+    Process process(program({plan_, "-o", run_, "--no-report", "--no-estimate"}));
+    ASSERT_TRUE(wait_for_samples(process, run_));
+    if (changes)
+      fs::last_write_time(folder_ / "terrain/flat.asc", fs::file_time_type::clock::now());
+    const Outcome outcome = process.wait();
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    const auto told = HasSubstr("terrain/flat.asc: has changed during the run");
+    EXPECT_THAT(outcome.err, changes ? Matcher<std::string>(told) : Not(told));
+    EXPECT_THAT(summary(run_)["warnings"].dump(), changes ? Matcher<std::string>(told) : Not(told));
+  }
 }
 
 TEST_F(MachineFault, of_a_lock_whose_holder_is_dead_is_none) {

@@ -62,6 +62,8 @@ class HeightGrid {
   virtual void add_to(Sha256& hash) const = 0;
   // Adds when what add_to() leaves out was last changed on this machine.
   virtual void add_change_to(Sha256&) const {}
+  // Files that have been written, replaced or removed since they were opened.
+  virtual std::vector<std::string> changed_files() const { return {}; }
   // Warnings: what would make the ground faster, and what its heights may mean instead.
   virtual std::vector<std::string> advice() const { return {}; }
 

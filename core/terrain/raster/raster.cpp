@@ -13,6 +13,7 @@ namespace lsos {
 Raster::Raster(const RasterSurface& surface, const Place& place, const Body* body)
     : name_{place, surface.file},
       dataset_(open_raster(surface, name_)),
+      files_(*dataset_),
       own_body_(body_of(crs_of(*dataset_, surface, name_), name_)),
       columns_(dataset_->GetRasterXSize()),
       rows_(dataset_->GetRasterYSize()) {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "terrain/raster/files_as_opened.h"
 #include "terrain/raster/height_band.h"
 #include "terrain/raster/raster_body.h"
 #include "terrain/raster/raster_map.h"
@@ -29,6 +30,7 @@ class Raster {
   bool goes_around() const { return map_->period_px() == columns_; }
 
   const HeightBand& band() const { return *band_; }
+  const FilesAsOpened& files() const { return files_; }
   // Heights, m, or classes as they are, row by row; NaN where missing. On a level above 0 the
   // window counts 2^level columns and rows as one.
   std::vector<double> heights_m(const RasterBlock& window, int level = 0) const {
@@ -38,6 +40,7 @@ class Raster {
  private:
   RasterName name_;
   std::unique_ptr<GDALDataset> dataset_;
+  FilesAsOpened files_;
   MapBody own_body_;
   int columns_;
   int rows_;

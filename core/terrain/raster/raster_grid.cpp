@@ -74,6 +74,7 @@ class RasterGrid : public HeightGrid {
       add_change(*overview, hash);
     }
   }
+  std::vector<std::string> changed_files() const override { return raster_.files().changed(); }
   std::vector<std::string> advice() const override {
     const std::lock_guard lock(mutex_);
     std::vector<std::string> all{

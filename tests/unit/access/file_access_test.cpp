@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "support/test_folder.h"
+
 namespace lsos {
 namespace {
 
@@ -14,18 +16,15 @@ namespace fs = std::filesystem;
 class FileAccess : public ::testing::Test {
  protected:
   FileAccess() {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    root_ = fs::temp_directory_path() / (std::string("lsos_access_") + test->name());
-    fs::remove_all(root_);
     fs::create_directories(root_ / "plans/maps");
     fs::create_directories(root_ / "private");
     restrict_access(false);
   }
-  ~FileAccess() override { fs::remove_all(root_); }
 
   std::string at(const std::string& name) const { return (root_ / name).string(); }
 
-  fs::path root_;
+  const TestFolder folder_;
+  const fs::path root_ = folder_.path();
 };
 
 TEST_F(FileAccess, reaches_what_lies_below_an_allowed_folder) {

@@ -6,6 +6,7 @@
 
 #include "base/sha256.h"
 #include "plan/kml_reader.h"
+#include "support/test_folder.h"
 #include "unit/plan/plan_fixture.h"
 
 namespace lsos::test {
@@ -21,7 +22,6 @@ class CaseOf : public ::testing::Test {
     std::ofstream(folder_ / "base.kml") << "a plan";
     std::ofstream(folder_ / "ground.tif") << "a raster";
   }
-  ~CaseOf() override { fs::remove_all(folder_); }
 
   Plan read(const Fields& fields) {
     faults_ = {};
@@ -31,7 +31,8 @@ class CaseOf : public ::testing::Test {
   }
 
   const std::string digest_ = sha256_hex("a plan");
-  fs::path folder_ = fs::path(::testing::TempDir()) / "lsos_case_of";
+  const TestFolder own_;
+  const fs::path folder_ = own_.path();
   Faults faults_;
 };
 

@@ -2,12 +2,12 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <string>
 
 #include "record/log.h"
+#include "support/test_folder.h"
 
 namespace lsos {
 
@@ -15,33 +15,6 @@ inline const std::string moon_crs = "IAU_2015:30100";
 
 // 2026-07-01T12:00:00Z.
 inline Instant test_start() { return *parse_utc("2026-07-01T12:00:00Z").value; }
-
-// A separate folder for one test, removed when the test ends.
-class TestFolder {
- public:
-  TestFolder() {
-    // A test may have several, one of them in its fixture.
-    static int made = 0;
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    path_ = std::filesystem::path(::testing::TempDir()) /
-            ("lsos-" + std::to_string(::getpid()) + "-" + test->test_suite_name() + "-" +
-             test->name() + "-" + std::to_string(made++));
-    std::filesystem::remove_all(path_);
-    std::filesystem::create_directories(path_);
-  }
-  ~TestFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  TestFolder(const TestFolder&) = delete;
-  TestFolder& operator=(const TestFolder&) = delete;
-
-  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-  std::string path() const { return path_.string(); }
-
- private:
-  std::filesystem::path path_;
-};
 
 inline SampleRow test_sample(int i) {
   SampleRow row;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <gmock/gmock.h>
+#include <unistd.h>
 
 #include "support/reference_data.h"
 #include "terrain/ground.h"
@@ -42,7 +43,8 @@ struct TextRaster {
   std::string type = "Float64";  // type of the samples
 
   std::string write(const std::string& name) const {
-    const std::string folder = ::testing::TempDir() + "lsos_terrain_" +
+    const std::string folder = ::testing::TempDir() + "lsos_terrain_" + std::to_string(::getpid()) +
+                               "_" +
                                ::testing::UnitTest::GetInstance()->current_test_info()->name();
     std::filesystem::create_directories(folder);
     std::ofstream grid(folder + "/" + name + ".asc");

@@ -187,5 +187,22 @@ INSTANTIATE_TEST_SUITE_P(
                                   1},
                       OtherRaster{"dem/earth/ames_roverscape_0p5m_UTM10.tif", "Earth", 0.1}));
 
+// Somebody writes a raster anew while a run reads it.
+TEST(Raster, tells_which_of_its_files_have_changed_since_it_was_opened) {
+  TextRaster raster{"IAU_2015:30110", "-50,1,0,50,0,-1", "",
+                    rows_of(100, 100, [](int, int) { return 5.0; })};
+  const std::string vrt = raster.write("ground");
+  const std::string source = vrt.substr(0, vrt.size() - 4) + ".asc";
+  const Ground ground(raster_terrain(vrt), site_on("Moon", 0, 0), 0);
+  EXPECT_THAT(ground.changed_files(), ::testing::IsEmpty());
+  std::ofstream(vrt + ".aux.xml") << "<PAMDataset/>";
+  EXPECT_THAT(ground.changed_files(), ::testing::IsEmpty());
+  // As long as before, in the same file.
+  std::fstream(source).write("n", 1);
+  EXPECT_THAT(ground.changed_files(), ::testing::ElementsAre(source));
+  std::filesystem::remove(vrt);
+  EXPECT_THAT(ground.changed_files(), ::testing::ElementsAre(source, vrt));
+}
+
 }  // namespace
 }  // namespace lsos
