@@ -78,7 +78,8 @@ std::vector<LocalName> local_names(const std::vector<std::string>& lines) {
   return names;
 }
 
-// The library or program that a file is compiled into; "" where each of its files is compiled alone.
+// The library or program that a file is compiled into; "" where each of its files is compiled
+// alone.
 std::string library_of(const std::filesystem::path& file) {
   std::vector<std::string> parts(file.begin(), file.end());
   if (parts.size() < 3) return "";

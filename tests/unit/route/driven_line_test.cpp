@@ -80,12 +80,12 @@ struct Agreement {
 };
 
 // The planner's summary leaves out setting off at the start and stopping at the end.
-double planned_s(DrivenOnLevel& driven_rover, const Line2& line) {
-  return driven_rover.costs.of(line).duration_s + driven_rover.cost.stop_s;
+double planned_s(DrivenOnLevel& rover, const Line2& line) {
+  return rover.costs.of(line).duration_s + rover.cost.stop_s;
 }
 
 TEST(DrivenLine, takes_as_long_as_planned_with_turns_on_the_spot) {
-  DrivenOnLevel driven_rover(test::rover(true));
+  DrivenOnLevel rover(driven_rover(true));
   std::mt19937 random(1);
   std::uniform_real_distribution<double> length_m(4, 30), sharp_rad(-2, 2), gentle_rad(-0.3, 0.3);
   Agreement agreement;
@@ -96,7 +96,7 @@ TEST(DrivenLine, takes_as_long_as_planned_with_turns_on_the_spot) {
       line.push_back(line.back() + length_m(random) * Vec2(std::cos(yaw_rad), std::sin(yaw_rad)));
       yaw_rad += i % 3 == 0 ? sharp_rad(random) : gentle_rad(random);
     }
-    agreement.add(planned_s(driven_rover, line), driven_s(line, driven_rover.cost));
+    agreement.add(planned_s(rover, line), driven_s(line, rover.cost));
   }
   EXPECT_LT(agreement.worst, 0.002);
 }
@@ -104,7 +104,7 @@ TEST(DrivenLine, takes_as_long_as_planned_with_turns_on_the_spot) {
 // Arcs of polylines: the planner takes each bend of the points for an arc by itself, while the
 // driving line lays its fillets one after the other.
 TEST(DrivenLine, takes_as_long_as_planned_with_arcs) {
-  DrivenOnLevel driven_rover(test::rover(false));
+  DrivenOnLevel rover(driven_rover(false));
   std::mt19937 random(1);
   std::uniform_real_distribution<double> straight_m(0, 25), radius_m(2, 12), bend_rad(0.2, 2);
   Agreement agreement;
@@ -121,7 +121,7 @@ TEST(DrivenLine, takes_as_long_as_planned_with_arcs) {
       at.at_m += straight_m(random) * at.ahead();
       line.push_back(at.at_m);
     }
-    agreement.add(planned_s(driven_rover, line), driven_s(line, driven_rover.cost));
+    agreement.add(planned_s(rover, line), driven_s(line, rover.cost));
   }
   EXPECT_LT(agreement.worst, 0.05);
   EXPECT_LT(std::abs(agreement.mean()), 0.015);
