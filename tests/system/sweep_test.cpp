@@ -32,6 +32,15 @@ class Sweep : public ::testing::Test {
     return run(words, {.folder = folder_.path()});
   }
 
+  // Waits until the first case drives.
+  void wait_for_drive() const {
+    const fs::path log = folder_ / "out/cases/000001.part/log.gpkg";
+    for (int i = 0; i < 1000 && !fs::exists(log); ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(600));
+  }
+
   TempFolder folder_;
 };
 
@@ -190,11 +199,7 @@ TEST_F(Sweep, goes_on_after_it_was_stopped) {
                                  "lsos.vary { of = 'MissionInfo.Seed', list = { 1, 2 } },"));
   Process sweeping(program({"sweep", "study.lua", "-o", "out", "-j", "2", "--quiet"}),
                    {.folder = folder_.path()});
-  const fs::path log = folder_ / "out/cases/000001.part/log.gpkg";
-  for (int i = 0; i < 300 && !fs::exists(log); ++i) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  }
-  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  wait_for_drive();
   sweeping.signal(SIGTERM);
   const Outcome stopped = sweeping.wait();
   EXPECT_EQ(stopped.exit_code, 143) << stopped.err;
@@ -208,6 +213,44 @@ TEST_F(Sweep, goes_on_after_it_was_stopped) {
   EXPECT_EQ(state["cases"], 2);
   EXPECT_EQ(state["done"], 0);
   EXPECT_EQ(state["running"], json::array());
+}
+
+// A batch system sends SIGTERM to all processes of a job, and the job's shell passes on its own.
+TEST_F(Sweep, stops_at_a_checkpoint_however_often_it_is_told) {
+  write(long_drive(),
+        study_text("cases = 1,", "lsos.vary { of = 'MissionInfo.Seed', list = { 1, 2 } },"));
+  Process sweeping(program({"sweep", "study.lua", "-o", "out", "--quiet"}),
+                   {.folder = folder_.path()});
+  wait_for_drive();
+  const std::string id = std::to_string(sweeping.id());
+  std::ifstream children("/proc/" + id + "/task/" + id + "/children");
+  pid_t child = 0;
+  ASSERT_TRUE(children >> child);
+  kill(child, SIGTERM);
+  sweeping.signal(SIGTERM);
+  std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  sweeping.signal(SIGTERM);
+  const Outcome stopped = sweeping.wait();
+  EXPECT_FALSE(stopped.was_killed);
+  EXPECT_EQ(stopped.exit_code, 143) << stopped.err;
+  const json part = json::parse(read_text(folder_ / "out/cases/000001.part/summary.json"));
+  EXPECT_GT(part["sim_s"], 0) << "it stopped at a checkpoint";
+}
+
+// As a Lustre that is mounted without them.
+TEST_F(Sweep, says_where_the_file_system_has_no_locks) {
+  folder_.write("none.c",
+                "#include <errno.h>\nint flock(int file, int how) { (void)file; (void)how; "
+                "errno = ENOSYS; return -1; }\n");
+  ASSERT_EQ(
+      run_command({"cc", "-shared", "-fPIC", "-o", "none.so", "none.c"}, {.folder = folder_.path()})
+          .exit_code,
+      0);
+  write(short_plan(), study_text("cases = 1,", speeds));
+  const Outcome outcome = run({"sweep", "study.lua", "--quiet"},
+                              {.folder = folder_.path(), .environment = {"LD_PRELOAD=./none.so"}});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("out/study: its file system has no locks (Function not "));
 }
 
 TEST_F(KilledSweep, at_a_few_moments_loses_nothing_and_repeats_nothing) { kill(3); }
