@@ -10,11 +10,14 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
 #include "base/stop_signal.h"
+#include "base/text.h"
 
 namespace lsos {
 
@@ -145,6 +148,33 @@ ChildProcess::Ending ChildProcess::ended(int status) {
   if (WIFEXITED(status)) ending.code = WEXITSTATUS(status);
   if (WIFSIGNALED(status)) ending.signal = WTERMSIG(status);
   return ending;
+}
+
+std::string program_in_path(const std::string& name) {
+  const char* folders = std::getenv("PATH");
+  std::istringstream list(folders ? folders : "");
+  for (std::string folder; std::getline(list, folder, ':');) {
+    std::string program = folder + "/" + name;
+    if (!folder.empty() && access(program.c_str(), X_OK) == 0) return program;
+  }
+  return "";
+}
+
+ProgramOutput program_output(const std::vector<std::string>& words) {
+  std::vector<std::string> command = words;
+  command.front() = program_in_path(words.front());
+  if (command.front().empty()) return {127, ""};
+  int output = -1;
+  std::optional<ChildProcess> process = ChildProcess::fork(ChildProcess::Pipe::from_child, output);
+  if (!process) {
+    dup2(output, STDOUT_FILENO);
+    dup2(output, STDERR_FILENO);
+    run_program(command, open("/dev/null", O_RDONLY | O_CLOEXEC));
+  }
+  const std::string text = process->read_all();
+  const ChildProcess::Ending ending = process->wait();
+  const int code = ending.signal ? 128 + *ending.signal : ending.code.value_or(127);
+  return {code, std::string(trimmed(text))};
 }
 
 }  // namespace lsos

@@ -60,4 +60,17 @@ void keep_open(int descriptor);
 // not receive a terminal's Ctrl-C. Ends the process with code 127 when it cannot be run.
 [[noreturn]] void run_program(const std::vector<std::string>& words, int input);
 
+// The file of a program in the folders of PATH; "" where there is none.
+std::string program_in_path(const std::string& name);
+
+struct ProgramOutput {
+  int code = 0;      // its exit code; 128 + the signal that ended it; 127: it could not be run
+  std::string text;  // what it wrote to standard output and error, without blanks at its ends
+
+  bool is_success() const { return code == 0; }
+};
+
+// Runs a program of PATH to its end, without input. words[0]: its name.
+ProgramOutput program_output(const std::vector<std::string>& words);
+
 }  // namespace lsos

@@ -1,10 +1,7 @@
 #include "picture/film.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <cstdlib>
-#include <sstream>
 #include <string_view>
 #include <utility>
 
@@ -16,12 +13,8 @@ namespace lsos {
 namespace {
 
 std::string ffmpeg() {
-  const char* folders = std::getenv("PATH");
-  std::istringstream list(folders ? folders : "");
-  for (std::string folder; std::getline(list, folder, ':');) {
-    std::string program = folder + "/ffmpeg";
-    if (!folder.empty() && access(program.c_str(), X_OK) == 0) return program;
-  }
+  std::string program = program_in_path("ffmpeg");
+  if (!program.empty()) return program;
   throw InputError({},
                    "films are made by the program ffmpeg, which is not installed: apt-get "
                    "install ffmpeg");

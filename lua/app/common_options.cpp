@@ -14,6 +14,8 @@ namespace lsos {
 
 namespace {
 
+std::vector<std::string> given_access;
+
 // The folders that an environment variable names, with colons between them.
 std::vector<std::string> listed_folders(const char* variable) {
   const char* text = std::getenv(variable);
@@ -70,6 +72,11 @@ void add_access(CommandOptions& command, AccessOptions& access) {
 }
 
 void restrict_to(const AccessOptions& access) {
+  given_access.clear();
+  for (const std::string& folder : access.folders) {
+    given_access.insert(given_access.end(), {"--allow-files", folder});
+  }
+  if (access.has_network) given_access.emplace_back("--allow-network");
   restrict_access(access.has_network);
   Faults faults;
   const auto allow = [&](const std::string& option, const std::string& folder) {
@@ -89,5 +96,7 @@ void restrict_to(const AccessOptions& access) {
   }
   allow_folder(shipped_scripts());
 }
+
+const std::vector<std::string>& access_words() { return given_access; }
 
 }  // namespace lsos

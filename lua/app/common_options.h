@@ -29,5 +29,7 @@ void add_access(CommandOptions& command, AccessOptions& access);
 // From now on only files are opened that lie in these folders, in those of LSOS_ALLOW_FILES,
 // LSOS_PATH and LSOS_REFERENCE_DATA, among the shipped ones, or beside what the user names.
 void restrict_to(const AccessOptions& access);
+// The options of the last call, as words of a command line.
+const std::vector<std::string>& access_words();
 
 }  // namespace lsos

@@ -188,6 +188,15 @@ bool is_done(const std::string& study_folder, std::int64_t number) {
   return has_summary(case_folder(study_folder, number));
 }
 
+std::vector<std::int64_t> open_cases(std::vector<std::int64_t> numbers,
+                                     const std::string& study_folder, bool tries_again) {
+  std::erase_if(numbers, [&](std::int64_t number) {
+    if (is_done(study_folder, number)) return true;
+    return !tries_again && fs::exists(not_run_file(study_folder, number));
+  });
+  return numbers;
+}
+
 CaseEnd run_case(const StudyFiles& files, std::int64_t number, const std::string& study_folder,
                  int threads) {
   const CaseLock lock(case_folder(study_folder, number) + ".lock");

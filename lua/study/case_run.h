@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "lua/study/study_files.h"
 
@@ -23,5 +24,10 @@ CaseEnd run_case(const StudyFiles& files, std::int64_t number, const std::string
                  int threads);
 
 bool is_done(const std::string& study_folder, std::int64_t number);
+
+// Those of the numbers that are to be run: not done, and not marked as one that could not be run,
+// unless these are tried again.
+std::vector<std::int64_t> open_cases(std::vector<std::int64_t> numbers,
+                                     const std::string& study_folder, bool tries_again);
 
 }  // namespace lsos

@@ -15,10 +15,15 @@ namespace {
 
 std::atomic<int> noted_signal{0};
 
+// A second Ctrl-C ends the program at once. A second SIGTERM does not: a batch system sends one to
+// all processes of a job, and the job's shell may pass on its own.
 void note_stop(int signal) {
   noted_signal = signal;
-  std::signal(signal, SIG_DFL);  // a second one ends the program at once
+  if (signal == SIGINT) std::signal(signal, SIG_DFL);
 }
+
+// What asks a case to stop. A SIGTERM that the case was sent by others is no second one of these.
+constexpr int stop_of_case = SIGHUP;
 
 // Its arrival ends the sleep of the loop.
 void note_child(int) {}
@@ -41,8 +46,9 @@ void Pool::start(std::int64_t number) {
     return;
   }
   // A case whose pool was killed stops as if it had been told to.
-  prctl(PR_SET_PDEATHSIG, SIGTERM);
+  prctl(PR_SET_PDEATHSIG, stop_of_case);
   if (getppid() != self) _exit(1);
+  std::signal(stop_of_case, SIG_DFL);  // which nohup has let this process ignore
   std::signal(SIGCHLD, SIG_DFL);
   setpgid(0, 0);  // a terminal's Ctrl-C comes through the pool
   silence();
@@ -66,7 +72,7 @@ int Pool::run(const std::vector<std::int64_t>& numbers, const Ended& on_end,
   while (!children_.empty() || (has_next() && !is_stopping)) {
     if (noted_signal != 0 && !is_stopping) {
       is_stopping = true;
-      for (const auto& [number, child] : children_) child.send(SIGTERM);
+      for (const auto& [number, child] : children_) child.send(stop_of_case);
     }
     while (!is_stopping && children_.size() < processes_ && has_next()) {
       start(numbers[next++]);

@@ -22,9 +22,9 @@ class Pool {
   Pool(std::size_t processes, Work work) : processes_(processes), work_(std::move(work)) {}
 
   // Runs the cases in their order, which is that of their numbers. Each process is forked from this
-  // one, which must have no threads. `on_turn` is called some ten times a second. A first SIGINT or
-  // SIGTERM is passed on to the processes, which then stop with a checkpoint. Returns the signal,
-  // or 0 when all have ended.
+  // one, which must have no threads. `on_turn` is called some ten times a second. At a first SIGINT
+  // or SIGTERM the processes are asked to stop with a checkpoint. Returns the signal, or 0 when all
+  // have ended.
   int run(const std::vector<std::int64_t>& numbers, const Ended& on_end,
           const std::function<void()>& on_turn);
 

@@ -1,10 +1,15 @@
 #include "lua/study/study_record.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -96,9 +101,13 @@ Json parts_json(const StudyFiles& files, const Parts& parts) {
           {"hashes", parts}};
 }
 
-// Several processes of a cluster may write the same at once.
+// Several processes of a cluster may write the same at once, on machines with the same numbers of
+// processes.
 void write_record(const std::string& folder, const Json& json) {
-  const std::string file = folder + "/" + study_file, own = fmt::format("{}.{}", file, getpid());
+  std::array<char, 256> machine{};
+  gethostname(machine.data(), machine.size() - 1);
+  const std::string file = folder + "/" + study_file,
+                    own = fmt::format("{}.{}.{}", file, machine.data(), getpid());
   write_file(own, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   fs::rename(own, file);
 }
@@ -131,6 +140,21 @@ void refuse_changes(const Json& record, const Parts& parts, const std::string& f
                                          fmt::join(changed, ", ")));
 }
 
+// Locks keep two processes out of a case; some file systems of clusters have none.
+void check_locks(const std::string& folder) {
+  const std::string file = folder + "/" + study_file;
+  const int descriptor = open(file.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW);
+  if (descriptor < 0) throw InputError({file}, "cannot be written");
+  const bool has_locks = flock(descriptor, LOCK_SH | LOCK_NB) == 0 || errno == EWOULDBLOCK;
+  const int reason = errno;
+  close(descriptor);
+  if (has_locks) return;
+  throw InputError({folder}, fmt::format("its file system has no locks ({}), which keep two "
+                                         "processes out of one case: Lustre has them when it is "
+                                         "mounted with -o flock; -o names another folder",
+                                         std::strerror(reason)));
+}
+
 }  // namespace
 
 void open_study_folder(const StudyFiles& files, const std::string& folder) {
@@ -151,6 +175,7 @@ void open_study_folder(const StudyFiles& files, const std::string& folder) {
   if (why) throw InputError({folder}, why.message());
   const Json json = parts_json(files, parts);
   if (json != record) write_record(folder, json);
+  check_locks(folder);
 }
 
 void check_study_folder(const StudyFiles& files, const std::string& folder) {

@@ -4,18 +4,18 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <set>
 #include <thread>
 
 #include "base/console.h"
 #include "base/error.h"
 #include "base/files.h"
-#include "base/quantity.h"
 #include "base/stop_signal.h"
 #include "lua/app/progress.h"
 #include "lua/app/run_to_end.h"
 #include "lua/study/case_run.h"
+#include "lua/study/cluster.h"
 #include "lua/study/dry_run.h"
+#include "lua/study/gather_request.h"
 #include "lua/study/pool.h"
 #include "lua/study/stop_early.h"
 #include "lua/study/study_files.h"
@@ -23,6 +23,7 @@
 #include "lua/study/study_record.h"
 #include "lua/study/sweep_state.h"
 #include "product/study/case_record.h"
+#include "study/case_list.h"
 
 namespace lsos {
 
@@ -39,20 +40,6 @@ int product_threads(const SweepOptions& options) {
 
 void tell_warnings(const StudyFiles& files) {
   for (const Fault& fault : files.base.faults.sorted()) print_message("{}\n", to_string(fault));
-}
-
-// Those that are to be run now.
-std::vector<std::int64_t> open_cases(std::vector<std::int64_t> numbers, const SweepOptions& options,
-                                     const std::string& folder) {
-  std::erase_if(numbers, [&](std::int64_t number) {
-    if (is_done(folder, number)) return true;
-    const std::string mark = not_run_file(folder, number);
-    if (!fs::exists(mark)) return false;
-    if (options.retry.empty()) return true;
-    fs::remove(mark);
-    return false;
-  });
-  return numbers;
 }
 
 // What a sweep tells while it goes on.
@@ -116,51 +103,28 @@ std::string study_folder(const SweepOptions& options) {
   return (fs::path("out") / fs::path(options.study).stem()).string();
 }
 
-std::vector<std::int64_t> listed_cases(const std::string& text, std::int64_t cases) {
-  std::set<std::int64_t> numbers;
-  if (text.empty()) {
-    for (std::int64_t number = 1; number <= cases; ++number) numbers.insert(number);
-  }
-  std::size_t from = 0;
-  while (!text.empty() && from <= text.size()) {
-    const std::size_t comma = std::min(text.find(',', from), text.size());
-    const std::string part = text.substr(from, comma - from);
-    from = comma + 1;
-    const std::size_t dash = part.find('-');
-    const Parsed<std::int64_t> first = parse_integer(part.substr(0, dash));
-    const Parsed<std::int64_t> last =
-        dash == std::string::npos ? first : parse_integer(part.substr(dash + 1));
-    if (!first || !last || *first.value < 1 || *last.value < *first.value || *last.value > cases) {
-      throw InputError({},
-                       fmt::format("--cases {}: numbers from 1 to {} are wanted, as in 40-59 or "
-                                   "3,7,12-15",
-                                   text, cases));
-    }
-    for (std::int64_t number = *first.value; number <= *last.value; ++number) {
-      numbers.insert(number);
-    }
-  }
-  return {numbers.begin(), numbers.end()};
-}
-
 int sweep(const SweepOptions& options) {
   const StudyFiles files = read_study(options.study);
+  check_columns(files);
   if (!options.is_quiet) tell_warnings(files);
   const std::string folder = study_folder(options);
   const auto jobs = options.jobs > 0 ? static_cast<std::size_t>(options.jobs) : processors();
   const std::vector<std::int64_t> wanted = listed_cases(options.cases, files.cases);
   if (options.is_dry) return dry_run(files, wanted, jobs, options);
-  open_study_folder(files, folder);
   StopWatch enough(files, folder);
   const auto last_case = [&] { return enough.last_case().value_or(files.cases); };
   // Those that the study needs, unless --cases names some.
   const auto needed = [&] {
     return options.cases.empty() ? listed_cases("", last_case()) : wanted;
   };
-  const std::vector<std::int64_t> numbers = open_cases(needed(), options, folder);
+  if (options.cluster.is_slurm) return send_to_slurm(files, needed(), folder, options);
+  if (!options.cluster.print.empty()) return print_job_script(files, needed(), folder, options);
+  open_study_folder(files, folder);
+  const std::vector<std::int64_t> numbers = open_cases(needed(), folder, !options.retry.empty());
+  for (const std::int64_t number : numbers) fs::remove(not_run_file(folder, number));
   const int threads =
       options.threads > 0 ? options.threads : std::max(1, static_cast<int>(processors() / jobs));
-  SweepNews news(folder, sweep_state(folder, files.cases), jobs, options.is_quiet);
+  SweepNews news(folder, sweep_state(folder, needed()), jobs, options.is_quiet);
   Pool pool(jobs, [&](std::int64_t number) {
     catch_stop_signals();
     return static_cast<int>(run_case(files, number, folder, threads));
@@ -179,7 +143,7 @@ int sweep(const SweepOptions& options) {
   }
   if (options.verb != "run") write_study(files, folder, product_threads(options));
   if (enough.last_case()) note_last_case(folder, last_case());
-  const SweepState state = sweep_state(folder, last_case());
+  const SweepState state = sweep_state(folder, needed());
   print_result("{}", options.is_json ? to_json(state) : to_text(state) + "\n");
   if (!options.is_json && enough.last_case()) print_result("{}\n", enough.text());
   if (!options.is_json) print_result("results in {}\n", folder);
@@ -188,22 +152,27 @@ int sweep(const SweepOptions& options) {
 
 int sweep_status(const SweepOptions& options) {
   const std::string folder = study_folder(options);
-  const SweepState state = sweep_state(folder, cases_of_folder(folder));
+  const SweepState state = sweep_state(folder, listed_cases("", cases_of_folder(folder)));
   print_result("{}", options.is_json ? to_json(state) : to_text(state) + "\n");
   return 0;
 }
 
 int sweep_gather(const SweepOptions& options) {
   const StudyFiles files = read_study(options.study);
+  check_columns(files);
   const std::string folder = study_folder(options);
   check_study_folder(files, folder);
   const Gathered gathered = write_study(files, folder, product_threads(options));
+  StopWatch enough(files, folder);
+  const std::int64_t last_case = enough.last_case().value_or(files.cases);
+  if (enough.last_case()) note_last_case(folder, last_case);
   if (options.is_json) {
-    print_result("{}", to_json(sweep_state(folder, files.cases)));
+    print_result("{}", to_json(sweep_state(folder, listed_cases("", last_case))));
     return 0;
   }
-  print_result("{} of {} cases in {}/{}, {} and {}\n", gathered.cases, files.cases, folder,
+  print_result("{} of {} cases in {}/{}, {} and {}\n", gathered.cases, last_case, folder,
                study_table, study_page_file, study_overlay_file);
+  if (enough.last_case()) print_result("{}\n", enough.text());
   return 0;
 }
 

@@ -1,9 +1,7 @@
 // Runs a study on the processors of this machine.
 #pragma once
 
-#include <cstdint>
 #include <string>
-#include <vector>
 
 #include "lua/study/sweep_options.h"
 
@@ -18,8 +16,5 @@ int sweep_gather(const SweepOptions& options);
 
 // "out/STUDY-NAME" for "some/where/STUDY-NAME.lua", where no folder is named.
 std::string study_folder(const SweepOptions& options);
-
-// "40-59,71" as numbers in ascending order, each once. Throws InputError beyond 1..cases.
-std::vector<std::int64_t> listed_cases(const std::string& text, std::int64_t cases);
 
 }  // namespace lsos

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "lua/study/cluster_options.h"
+
 namespace lsos {
 
 struct SweepOptions {
@@ -15,6 +17,7 @@ struct SweepOptions {
   std::string retry;   // "failed": those that could not be run, too
   int jobs = 0;        // 0: as many as there are processors
   int threads = 0;     // of each case; 0: processors by jobs
+  ClusterOptions cluster;
   bool is_dry = false, is_quiet = false, is_json = false;
 };
 

@@ -50,7 +50,10 @@ TEST_F(StopWhen, ends_after_the_same_cases_in_any_order) {
   EXPECT_THAT(sweep({"--quiet"}, "one").out, HasSubstr("10 of 10 cases done"));
   // More cases than are needed, as the chunks of a cluster have them.
   ASSERT_EQ(sweep({"run", "--cases", "1-12", "-j", "2", "--quiet"}, "two").exit_code, 0);
-  ASSERT_EQ(sweep({"gather"}, "two").exit_code, 0);
+  const json gathered = json::parse(sweep({"gather", "--json"}, "two").out);
+  EXPECT_EQ(gathered["cases"], 10);
+  EXPECT_EQ(gathered["missing"], 0);
+  EXPECT_THAT(sweep({"--print", "slurm"}, "two").err, HasSubstr("no case is missing"));
   EXPECT_EQ(equal_parts(folder_ / "one"), equal_parts(folder_ / "two"));
   EXPECT_THAT(read_text(folder_ / "two/study.html"), HasSubstr("(95 %) after 10 of 400 cases"));
 }

@@ -32,6 +32,15 @@ class Sweep : public ::testing::Test {
     return run(words, {.folder = folder_.path()});
   }
 
+  // Waits until the first case drives.
+  void wait_for_drive() const {
+    const fs::path log = folder_ / "out/cases/000001.part/log.gpkg";
+    for (int i = 0; i < 1000 && !fs::exists(log); ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(600));
+  }
+
   TempFolder folder_;
 };
 
@@ -91,7 +100,9 @@ TEST_F(Sweep, gives_the_same_rows_with_any_number_of_processes) {
   ASSERT_EQ(sweep({"-j", "1"}, "one").exit_code, 0);
   // In another order, as the processes of a cluster would.
   ASSERT_EQ(sweep({"run", "--cases", "3-4", "-j", "2"}, "two").exit_code, 0);
-  ASSERT_EQ(sweep({"run", "--cases", "1,2"}, "two").exit_code, 0);
+  const Outcome rest = sweep({"run", "--cases", "1,2"}, "two");
+  ASSERT_EQ(rest.exit_code, 0) << rest.err;
+  EXPECT_THAT(rest.out, HasSubstr("2 of 2 cases done")) << "those that it was asked for";
   ASSERT_EQ(sweep({"gather"}, "two").exit_code, 0);
   EXPECT_EQ(equal_parts(folder_ / "one"), equal_parts(folder_ / "two"));
 }
@@ -190,11 +201,7 @@ TEST_F(Sweep, goes_on_after_it_was_stopped) {
                                  "lsos.vary { of = 'MissionInfo.Seed', list = { 1, 2 } },"));
   Process sweeping(program({"sweep", "study.lua", "-o", "out", "-j", "2", "--quiet"}),
                    {.folder = folder_.path()});
-  const fs::path log = folder_ / "out/cases/000001.part/log.gpkg";
-  for (int i = 0; i < 300 && !fs::exists(log); ++i) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  }
-  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  wait_for_drive();
   sweeping.signal(SIGTERM);
   const Outcome stopped = sweeping.wait();
   EXPECT_EQ(stopped.exit_code, 143) << stopped.err;
@@ -208,6 +215,44 @@ TEST_F(Sweep, goes_on_after_it_was_stopped) {
   EXPECT_EQ(state["cases"], 2);
   EXPECT_EQ(state["done"], 0);
   EXPECT_EQ(state["running"], json::array());
+}
+
+// A batch system sends SIGTERM to all processes of a job, and the job's shell passes on its own.
+TEST_F(Sweep, stops_at_a_checkpoint_however_often_it_is_told) {
+  write(long_drive(),
+        study_text("cases = 1,", "lsos.vary { of = 'MissionInfo.Seed', list = { 1, 2 } },"));
+  Process sweeping(program({"sweep", "study.lua", "-o", "out", "--quiet"}),
+                   {.folder = folder_.path()});
+  wait_for_drive();
+  const std::string id = std::to_string(sweeping.id());
+  std::ifstream children("/proc/" + id + "/task/" + id + "/children");
+  pid_t child = 0;
+  ASSERT_TRUE(children >> child);
+  kill(child, SIGTERM);
+  sweeping.signal(SIGTERM);
+  std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  sweeping.signal(SIGTERM);
+  const Outcome stopped = sweeping.wait();
+  EXPECT_FALSE(stopped.was_killed);
+  EXPECT_EQ(stopped.exit_code, 143) << stopped.err;
+  const json part = json::parse(read_text(folder_ / "out/cases/000001.part/summary.json"));
+  EXPECT_GT(part["sim_s"], 0) << "it stopped at a checkpoint";
+}
+
+// As a Lustre that is mounted without them.
+TEST_F(Sweep, says_where_the_file_system_has_no_locks) {
+  folder_.write("none.c",
+                "#include <errno.h>\nint flock(int file, int how) { (void)file; (void)how; "
+                "errno = ENOSYS; return -1; }\n");
+  ASSERT_EQ(
+      run_command({"cc", "-shared", "-fPIC", "-o", "none.so", "none.c"}, {.folder = folder_.path()})
+          .exit_code,
+      0);
+  write(short_plan(), study_text("cases = 1,", speeds));
+  const Outcome outcome = run({"sweep", "study.lua", "--quiet"},
+                              {.folder = folder_.path(), .environment = {"LD_PRELOAD=./none.so"}});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("out/study: its file system has no locks (Function not "));
 }
 
 TEST_F(KilledSweep, at_a_few_moments_loses_nothing_and_repeats_nothing) { kill(3); }
@@ -239,6 +284,25 @@ TEST_F(Sweep, tells_all_faults_of_a_study_at_once) {
   EXPECT_THAT(outcome.err, HasSubstr("study.lua:8: vary 'Rover A.battery.capacty_j' = 100000000"));
   EXPECT_THAT(outcome.err, HasSubstr("capacity_j"));
   EXPECT_FALSE(fs::exists(folder_ / "out"));
+}
+
+TEST_F(Sweep, gives_each_column_a_name_of_its_own) {
+  write(
+      short_plan(),
+      study_text("cases = 1, gather = { lsos.gather { event = 'A/10', quantity = 'charge', name = "
+                 "'Seed' }, lsos.gather { rover = 'A', take = 'least', quantity = 'charge', name "
+                 "= 'a/10.speed' } },",
+                 speeds));
+  const Outcome outcome = sweep({});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("study.lua:4: gather: 'Seed' would be the column 'seed' of "));
+  EXPECT_THAT(outcome.err, HasSubstr("gather: 'a/10.speed' would be the column 'A/10.Speed' of "));
+  std::vector<Mark> marks = short_plan();
+  marks.push_back(sev("a", "31.001,20"));
+  write(marks, study_text("cases = 1,", speeds));
+  EXPECT_THAT(sweep({}).err,
+              HasSubstr("study: 'a_distance_m' would be the column 'A_distance_m' of study.gpkg, "
+                        "whose names have no case: rovers"));
 }
 
 TEST_F(Sweep, refuses_forms_that_do_not_say_how) {

@@ -73,5 +73,18 @@ TEST(ChildProcess, runs_a_program_on_its_input) {
   EXPECT_EQ(absent->wait().code, 127);
 }
 
+TEST(ProgramOutput, says_what_a_program_printed_and_how_it_ended) {
+  const ProgramOutput said = program_output({"sh", "-c", "echo out; echo err >&2; exit 3"});
+  EXPECT_EQ(said.text, "out\nerr");
+  EXPECT_EQ(said.code, 3);
+  EXPECT_EQ(program_output({"sh", "-c", "kill -9 $$"}).code, 128 + 9);
+  EXPECT_TRUE(program_output({"cat"}).is_success()) << "it has no input";
+}
+
+TEST(ProgramOutput, is_that_of_no_program_where_there_is_none) {
+  EXPECT_EQ(program_in_path("no-such-program"), "");
+  EXPECT_EQ(program_output({"no-such-program"}).code, 127);
+}
+
 }  // namespace
 }  // namespace lsos
