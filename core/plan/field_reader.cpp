@@ -8,6 +8,7 @@
 
 #include "base/quantity.h"
 #include "base/sim_time.h"
+#include "base/text.h"
 #include "plan/suggestions.h"
 
 namespace lsos {
@@ -48,13 +49,30 @@ std::string share_advice(const std::string& text, double share) {
   return share > 1 && share <= 100 ? fmt::format("; did you mean '{} %'?", share) : "";
 }
 
+// The unit that the text has behind its number, where the limits have few digits in it; else that
+// of the field.
+const Unit& unit_for_limits(const FieldDeclaration& declaration, const std::string& text) {
+  const Unit& own = unit_of(declaration);
+  const std::size_t number_end = text.find_last_of("0123456789.");
+  if (number_end == std::string::npos) return own;
+  const Unit* written = find_unit(trimmed(std::string_view(text).substr(number_end + 1)));
+  if (written == nullptr || written->kind != own.kind) return own;
+  constexpr std::size_t digits_max = 6;
+  for (const std::optional<double>& limit : {declaration.min_si, declaration.max_si}) {
+    if (!limit) continue;
+    const std::string number = fmt::format("{}", *limit / written->si_factor);
+    if (number.size() > digits_max) return own;
+  }
+  return *written;
+}
+
 // Why a number is outside its field's range; "" when it is inside.
 std::string out_of_range(const FieldDeclaration& declaration, double value_si,
                          const std::string& text) {
   const std::optional<double>& min = declaration.min_si;
   const std::optional<double>& max = declaration.max_si;
   if ((!min || value_si >= *min) && (!max || value_si <= *max)) return {};
-  const Unit& unit = unit_of(declaration);
+  const Unit& unit = unit_for_limits(declaration, text);
   const bool is_share = unit.kind == "fraction" && declaration.kind == FieldKind::number;
   if (is_share && max && text.find('%') != std::string::npos && value_si > *max) {
     return fmt::format("is above {}", format_quantity(*max, *find_unit("%")));
