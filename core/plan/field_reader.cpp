@@ -60,10 +60,16 @@ const Unit& unit_for_limits(const FieldDeclaration& declaration, const std::stri
   constexpr std::size_t digits_max = 6;
   for (const std::optional<double>& limit : {declaration.min_si, declaration.max_si}) {
     if (!limit) continue;
-    const std::string number = fmt::format("{}", *limit / written->si_factor);
-    if (number.size() > digits_max) return own;
+    if (fmt::format("{:.10g}", *limit / written->si_factor).size() > digits_max) return own;
   }
   return *written;
+}
+
+// A limit in a unit that has few digits for it.
+std::string limit_text(double limit_si, const Unit& unit) {
+  const std::string exact = format_quantity(limit_si, unit);
+  const std::string rounded = fmt::format("{:.10g} {}", limit_si / unit.si_factor, unit.symbol);
+  return rounded.size() < exact.size() ? rounded : exact;
 }
 
 // Why a number is outside its field's range; "" when it is inside.
@@ -80,15 +86,15 @@ std::string out_of_range(const FieldDeclaration& declaration, double value_si,
   // The ceiling that all durations share is not part of the field's own range.
   if (max == longest_duration_s && declaration.kind == FieldKind::duration) {
     return min && value_si < *min
-               ? fmt::format("must be at least {}", format_quantity(*min, unit))
+               ? fmt::format("must be at least {}", limit_text(*min, unit))
                : fmt::format("must be at most {}", format_quantity(*max, *find_unit("d")));
   }
   if (min && max) {
-    return fmt::format("must be from {} to {}{}", format_quantity(*min, unit),
-                       format_quantity(*max, unit), is_share ? share_advice(text, value_si) : "");
+    return fmt::format("must be from {} to {}{}", limit_text(*min, unit), limit_text(*max, unit),
+                       is_share ? share_advice(text, value_si) : "");
   }
-  return min ? fmt::format("must be at least {}", format_quantity(*min, unit))
-             : fmt::format("must be at most {}", format_quantity(*max, unit));
+  return min ? fmt::format("must be at least {}", limit_text(*min, unit))
+             : fmt::format("must be at most {}", limit_text(*max, unit));
 }
 
 std::string range_fault(const FieldDeclaration& declaration, const FieldValue& value,
