@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/moment_text.h"
+#include "mission/estimate/day_ranges.h"
 #include "mission/estimate/estimate_watch.h"
 
 namespace lsos {
@@ -50,6 +51,7 @@ MissionEstimate estimate_mission(Simulation& simulation) {
   }
   estimate.events = watch.events(simulation.fleet(), simulation.plan().mission.start_time);
   estimate.days = watch.days(simulation.fleet());
+  add_day_ranges(estimate.days, estimate.events);
   estimate.lacks = watch.lacks();
   // Where nothing takes place any more, as rovers wait for what never comes, that alone is told.
   if (const std::optional<SimTime> idle_since = watch.idle_since()) {
