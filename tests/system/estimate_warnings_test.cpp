@@ -133,13 +133,13 @@ TEST(EstimateWarnings, tell_of_rovers_that_wait_in_vain_only_for_what_while_anot
   };
   EXPECT_THAT(
       warnings({mission({{"MaxDuration", "20 d"}}), sev("A", night), sev("B", "-149,12.002"),
-                sev("C", near_side), until_near("A", "B"), until_near("B", "A"),
+                sev("C", "-149,12.1"), until_near("A", "B"), until_near("B", "A"),
                 event("Pause", "C", 1, {{"Duration", "10 d"}})}),
       ::testing::IsSupersetOf({HasSubstr("Pause 'Pause 1': by the estimate its turn comes at "
                                          "2026-01-01T00:00:00.000Z and it never starts"),
                                HasSubstr("it waited for StartWhen: distance_to('A') < 10")}));
   for (const std::string& warning :
-       warnings({mission({{"MaxDuration", "20 d"}}), sev("A", night), sev("C", near_side),
+       warnings({mission({{"MaxDuration", "20 d"}}), sev("A", night), sev("C", "-149,12.1"),
                  until_near("A", "C"), event("Pause", "C", 1, {{"Duration", "3 d"}})})) {
     EXPECT_THAT(warning, Not(HasSubstr("panels of A")));
     EXPECT_THAT(warning, Not(HasSubstr("battery of A")));
