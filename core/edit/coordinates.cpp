@@ -15,7 +15,7 @@ namespace lsos {
 namespace {
 
 [[noreturn]] void refuse(PlanDocument& document, const PlanMark& mark) {
-  throw InputError({document.plan().file, 0},
+  throw InputError(mark.place,
                    fmt::format("{} {}: its place stands in no <coordinates> (but a Camera or a "
                                "gx:Track), and is not moved; draw it again as a placemark or path",
                                mark.type, quoted(document.name(mark))));

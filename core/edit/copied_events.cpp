@@ -85,6 +85,7 @@ CopiedEvents copy_events(PlanDocument& document, const EventNames& names,
     document.set_field(mark, "RoverId", copy.as.rover_id);
     document.set_field(mark, "Sequence", std::to_string(copy.as.sequence));
     if (!copy.name.empty()) document.set_name(mark, copy.name);
+    copied.places[copy.as] = mark.place;
     copied.marks.push_back(std::move(mark));
   }
   return copied;

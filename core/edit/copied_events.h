@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -21,9 +22,13 @@ struct EventCopy {
 std::vector<std::int64_t> sequences_behind(const std::vector<const PlanEvent*>& events,
                                            std::int64_t& last);
 
+// Copies, and where what was copied stands in the plan that was read.
+using CopyPlaces = std::map<PlanEvent::Reference, Place>;
+
 struct CopiedEvents {
   std::vector<PlanMark> marks;        // in the order of `copies`
   std::vector<std::string> warnings;  // of what is left out
+  CopyPlaces places;
 };
 
 // Copies the Placemarks, each behind those beside it, and behind `earlier` copies there. References

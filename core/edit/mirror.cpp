@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
+
 #include "base/error.h"
 #include "edit/coordinates.h"
 #include "edit/copied_events.h"
@@ -19,6 +21,26 @@ void swap_names(PlanDocument& document, const PlanMark& mark, const Mirror& mirr
       document.set_field(mark, field.name, mirror.from);
     }
   }
+}
+
+bool is_in_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+// A name that says the rover, as "SEV1 to the rim", says the other. An id of one letter may be any
+// word.
+std::string renamed(const std::string& name, const Mirror& mirror) {
+  if (mirror.from.size() < 2) return name;
+  std::string text;
+  std::size_t begin = 0;
+  for (std::size_t at = name.find(mirror.from); at != std::string::npos;
+       at = name.find(mirror.from, at + mirror.from.size())) {
+    const std::size_t end = at + mirror.from.size();
+    const bool is_word =
+        (at == 0 || !is_in_word(name[at - 1])) && (end == name.size() || !is_in_word(name[end]));
+    if (!is_word) continue;
+    text += name.substr(begin, at - begin) + mirror.to;
+    begin = end;
+  }
+  return text + name.substr(begin);
 }
 
 }  // namespace
@@ -39,8 +61,9 @@ Mirrored mirror(PlanDocument& document, const Mirror& mirror) {
   std::vector<EventCopy> copies;
   const std::vector<std::int64_t> sequences = sequences_behind(events, last);
   for (std::size_t i = 0; i < events.size(); ++i) {
-    copies.push_back(
-        {events[i], {mirror.to, sequences[i]}, document.name(document.mark(*events[i]))});
+    copies.push_back({events[i],
+                      {mirror.to, sequences[i]},
+                      renamed(document.name(document.mark(*events[i])), mirror)});
   }
   CopiedEvents copied = copy_events(document, names, copies);
   for (std::size_t i = 0; i < events.size(); ++i) {
@@ -50,7 +73,7 @@ Mirrored mirror(PlanDocument& document, const Mirror& mirror) {
       move_places(document, copied.marks[i], mirror.offset_m);
     }
   }
-  return {static_cast<int>(events.size()), std::move(copied.warnings)};
+  return {static_cast<int>(events.size()), std::move(copied.places), std::move(copied.warnings)};
 }
 
 }  // namespace lsos

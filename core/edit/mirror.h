@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/vector.h"
-#include "edit/plan_document.h"
+#include "edit/copied_events.h"
 
 namespace lsos {
 
@@ -16,12 +16,14 @@ struct Mirror {
 
 struct Mirrored {
   int count = 0;
+  CopyPlaces copies;
   std::vector<std::string> warnings;
 };
 
 // Copies the events of the rover `from` for the rover `to`, behind its own. Where they name one of
-// the two (a leader, whom to meet), they name the other. Throws InputError where a place that is to
-// be moved stands in no <coordinates>.
+// the two (a leader, whom to meet), they name the other; a label that has the id `from`, of two
+// letters or more, as a word has `to` in its place. Throws InputError where a place that is to be
+// moved stands in no <coordinates>.
 Mirrored mirror(PlanDocument& document, const Mirror& mirror);
 
 }  // namespace lsos

@@ -135,7 +135,7 @@ void set_places(PlanDocument& document, const PlanMark& mark, const SourceGeomet
   const std::vector<KmlElement> texts = coordinates_of(mark.element);
   const bool is_elsewhere = texts.empty() && (!old.empty() || child(mark.element, "Camera"));
   if (is_elsewhere) {
-    throw InputError({document.plan().file, 0},
+    throw InputError(mark.place,
                      fmt::format("{} {}: its place stands in no <coordinates> (but a Camera or a "
                                  "gx:Track), and is not changed; draw it again as a placemark or "
                                  "path",

@@ -47,7 +47,10 @@ PlanDocument::PlanDocument(const std::string& kml, const Plan& plan,
   LSOS_ASSERT(placemarks.size() == source.placemarks.size());
   const auto mark = [&](const PlanPlacemark& ours) {
     const auto index = static_cast<std::size_t>(ours.placemark - source.placemarks.data());
-    return PlanMark{placemarks[index], ours.data.schema, ours.data.schema_url};
+    return PlanMark{placemarks[index],
+                    ours.data.schema,
+                    ours.data.schema_url,
+                    {plan.file, ours.placemark->line}};
   };
   for (const PlanPlacemark& ours : classified.missions) mission_ = mark(ours);
   for (const PlanPlacemark& ours : classified.rovers) {

@@ -16,6 +16,7 @@ struct PlanMark {
   KmlElement element = nullptr;
   std::string type;        // MissionInfo, Rover, Asset or an event type
   std::string schema_url;  // of the SchemaData with its fields; "": they stand in any, or in Data
+  Place place = {};        // in the file that was read; of a copy, that of what was copied
 };
 
 class PlanDocument {

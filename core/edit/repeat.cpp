@@ -197,6 +197,7 @@ Repeated repeat(PlanDocument& document, const Repetition& repetition, const Even
       if (has_places) go_to(document, copied.marks[i], event, visits, places);
     }
     repeated.count += static_cast<int>(copies.size());
+    repeated.copies.insert(copied.places.begin(), copied.places.end());
     repeated.warnings.insert(repeated.warnings.end(), copied.warnings.begin(),
                              copied.warnings.end());
   }

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "edit/copied_events.h"
 #include "edit/event_choice.h"
-#include "edit/plan_document.h"
 
 namespace lsos {
 
@@ -23,6 +23,7 @@ struct Repetition {
 
 struct Repeated {
   int count = 0;
+  CopyPlaces copies;
   std::vector<std::string> warnings;
 };
 

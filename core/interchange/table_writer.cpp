@@ -16,6 +16,7 @@
 #include "base/output_error.h"
 #include "interchange/cell_text.h"
 #include "interchange/places.h"
+#include "interchange/workbook_style.h"
 #include "terrain/raster/gdal_call.h"
 
 namespace lsos {
@@ -100,7 +101,7 @@ class TableWriter {
     dataset.reset();
     const std::string_view bytes = made_.bytes();
     if (bytes.empty()) refuse(GdalSilence::message());
-    return std::string(bytes);
+    return ending_ == ".xlsx" ? styled_workbook(std::string(bytes), tables) : std::string(bytes);
   }
 
  private:

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "base/moment_text.h"
+#include "mission/estimate/day_ranges.h"
 #include "mission/estimate/estimate_watch.h"
 
 namespace lsos {
@@ -25,6 +27,23 @@ void tell_what_is_awaited(Simulation& simulation, std::vector<EventEstimate>& ev
     event->status = row.status;
     event->reason = row.reason;
   }
+}
+
+// Where nothing takes place any more, as rovers wait for what never comes, that alone is told; so
+// it is of one rover that waits while others go on.
+void leave_out_vain_waits(MissionEstimate& estimate, std::optional<SimTime> idle_since) {
+  std::map<std::string, double> waits_since_s;
+  for (const EventEstimate& event : estimate.events) {
+    const bool is_in_vain = event.status == EventStatus::not_started && event.ready_s &&
+                            event.reason.find("; it waited for ") != std::string::npos;
+    if (is_in_vain) waits_since_s.emplace(event.rover_id, *event.ready_s);
+  }
+  std::erase_if(estimate.lacks, [&](const Lack& lack) {
+    const double since_s = lack.below_s.value_or(lack.begin_s);
+    const auto waits = waits_since_s.find(lack.rover_id);
+    return (idle_since && since_s >= seconds(*idle_since)) ||
+           (waits != waits_since_s.end() && since_s >= waits->second);
+  });
 }
 
 }  // namespace
@@ -50,16 +69,12 @@ MissionEstimate estimate_mission(Simulation& simulation) {
   }
   estimate.events = watch.events(simulation.fleet(), simulation.plan().mission.start_time);
   estimate.days = watch.days(simulation.fleet());
+  add_day_ranges(estimate.days, estimate.events);
   estimate.lacks = watch.lacks();
-  // Where nothing takes place any more, as rovers wait for what never comes, that alone is told.
-  if (const std::optional<SimTime> idle_since = watch.idle_since()) {
-    std::erase_if(estimate.lacks, [&](const Lack& lack) {
-      return lack.below_s.value_or(lack.begin_s) >= seconds(*idle_since);
-    });
-  }
   estimate.shades = watch.shades(simulation.fleet());
   estimate.end_s = seconds(simulation.now());
   if (!estimate.cut_short.empty()) tell_what_is_awaited(simulation, estimate.events);
+  leave_out_vain_waits(estimate, watch.idle_since());
   return estimate;
 }
 

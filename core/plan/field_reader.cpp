@@ -8,6 +8,7 @@
 
 #include "base/quantity.h"
 #include "base/sim_time.h"
+#include "base/text.h"
 #include "plan/suggestions.h"
 
 namespace lsos {
@@ -48,13 +49,36 @@ std::string share_advice(const std::string& text, double share) {
   return share > 1 && share <= 100 ? fmt::format("; did you mean '{} %'?", share) : "";
 }
 
+// The unit that the text has behind its number, where the limits have few digits in it; else that
+// of the field.
+const Unit& unit_for_limits(const FieldDeclaration& declaration, const std::string& text) {
+  const Unit& own = unit_of(declaration);
+  const std::size_t number_end = text.find_last_of("0123456789.");
+  if (number_end == std::string::npos) return own;
+  const Unit* written = find_unit(trimmed(std::string_view(text).substr(number_end + 1)));
+  if (written == nullptr || written->kind != own.kind) return own;
+  constexpr std::size_t digits_max = 6;
+  for (const std::optional<double>& limit : {declaration.min_si, declaration.max_si}) {
+    if (!limit) continue;
+    if (fmt::format("{:.10g}", *limit / written->si_factor).size() > digits_max) return own;
+  }
+  return *written;
+}
+
+// A limit in a unit that has few digits for it.
+std::string limit_text(double limit_si, const Unit& unit) {
+  const std::string exact = format_quantity(limit_si, unit);
+  const std::string rounded = fmt::format("{:.10g} {}", limit_si / unit.si_factor, unit.symbol);
+  return rounded.size() < exact.size() ? rounded : exact;
+}
+
 // Why a number is outside its field's range; "" when it is inside.
 std::string out_of_range(const FieldDeclaration& declaration, double value_si,
                          const std::string& text) {
   const std::optional<double>& min = declaration.min_si;
   const std::optional<double>& max = declaration.max_si;
   if ((!min || value_si >= *min) && (!max || value_si <= *max)) return {};
-  const Unit& unit = unit_of(declaration);
+  const Unit& unit = unit_for_limits(declaration, text);
   const bool is_share = unit.kind == "fraction" && declaration.kind == FieldKind::number;
   if (is_share && max && text.find('%') != std::string::npos && value_si > *max) {
     return fmt::format("is above {}", format_quantity(*max, *find_unit("%")));
@@ -62,15 +86,15 @@ std::string out_of_range(const FieldDeclaration& declaration, double value_si,
   // The ceiling that all durations share is not part of the field's own range.
   if (max == longest_duration_s && declaration.kind == FieldKind::duration) {
     return min && value_si < *min
-               ? fmt::format("must be at least {}", format_quantity(*min, unit))
+               ? fmt::format("must be at least {}", limit_text(*min, unit))
                : fmt::format("must be at most {}", format_quantity(*max, *find_unit("d")));
   }
   if (min && max) {
-    return fmt::format("must be from {} to {}{}", format_quantity(*min, unit),
-                       format_quantity(*max, unit), is_share ? share_advice(text, value_si) : "");
+    return fmt::format("must be from {} to {}{}", limit_text(*min, unit), limit_text(*max, unit),
+                       is_share ? share_advice(text, value_si) : "");
   }
-  return min ? fmt::format("must be at least {}", format_quantity(*min, unit))
-             : fmt::format("must be at most {}", format_quantity(*max, unit));
+  return min ? fmt::format("must be at least {}", limit_text(*min, unit))
+             : fmt::format("must be at most {}", limit_text(*max, unit));
 }
 
 std::string range_fault(const FieldDeclaration& declaration, const FieldValue& value,

@@ -1,4 +1,7 @@
 // Packs files into a zip archive, the format of KMZ and QGZ.
+#include <cstdlib>
+#include <cstring>
+#include <new>
 #include <stdexcept>
 #include <utility>
 
@@ -67,8 +70,16 @@ std::string repacked_zip(const std::string& zip, const std::string& name,
                          const std::string& bytes) {
   zip_error_t error;
   zip_error_init(&error);
-  const ZipSource packed(zip_source_buffer_create(zip.data(), zip.size(), 0, &error));
-  if (!packed) fail(&error);
+  // A copy that libzip owns: where it keeps the beginning of an archive, it frees what it read it
+  // from, also a buffer that is not its own (1.7.3).
+  void* copy = std::malloc(zip.size());
+  if (copy == nullptr) throw std::bad_alloc();
+  std::memcpy(copy, zip.data(), zip.size());
+  const ZipSource packed(zip_source_buffer_create(copy, zip.size(), 1, &error));
+  if (!packed) {
+    std::free(copy);
+    fail(&error);
+  }
   zip_source_keep(packed.get());
   ZipHandle archive(zip_open_from_source(packed.get(), 0, &error));
   if (!archive) fail(&error);

@@ -70,10 +70,10 @@ std::string day_time(Instant instant) {
 }
 
 // "2026-07-01 12:00:00 UTC", of a range "2026-07-01 12:00:00 to 12:08:30 UTC".
-std::string ends_text(const EventEstimate& event, Instant start) {
+std::string time_text(double expected_s, const std::optional<Expected>& range_s, Instant start) {
   const auto at = [&](double time_s) { return day_time(start + from_seconds(time_s)); };
-  if (!event.end_range_s) return at(*event.end_s);
-  const std::string low = at(event.end_range_s->low), high = at(event.end_range_s->high);
+  if (!range_s) return at(expected_s);
+  const std::string low = at(range_s->low), high = at(range_s->high);
   const bool is_same_day = low.substr(0, 10) == high.substr(0, 10);
   return low.substr(0, 19) + " to " + (is_same_day ? high.substr(11) : high);
 }
@@ -143,8 +143,10 @@ std::string balloon(const EventEstimate& event, Instant start) {
   Table table;
   if (event.status != EventStatus::completed) table.add("Expected", to_string(event.status));
   table.add("Why", event.reason);
-  if (event.start_s) table.add("Begins", day_time(start + from_seconds(*event.start_s)));
-  if (event.end_s) table.add("Ends", ends_text(event, start));
+  if (event.start_s) {
+    table.add("Begins", time_text(*event.start_s, event.start_range_s, start));
+  }
+  if (event.end_s) table.add("Ends", time_text(*event.end_s, event.end_range_s, start));
   if (event.start_s && event.end_s) {
     table.add("Takes", duration_text(*event.end_s - *event.start_s));
   }

@@ -42,8 +42,8 @@ std::optional<Expected> range_of(const std::optional<double>& value,
 // A line of the table; times and shares are those of all its events together.
 struct Line {
   std::string name;
-  std::optional<double> start_s, distance_m, solar_j;
-  std::optional<Expected> end_s, energy_used_j, charge_end, charge_min;
+  std::optional<double> distance_m, solar_j;
+  std::optional<Expected> start_s, end_s, energy_used_j, charge_end, charge_min;
   int failing = 0, cut_off = 0, skipped = 0, not_begun = 0;  // events that do not complete
   double all_s = 0;                                          // time that shares are of
   Expected lit_s, seen_s;
@@ -52,6 +52,12 @@ struct Line {
 
 void add(std::optional<double>& sum, const std::optional<double>& value) {
   if (value) sum = sum.value_or(0) + *value;
+}
+
+void add(std::optional<Expected>& sum, const std::optional<Expected>& value) {
+  if (!value) return;
+  const Expected before = sum.value_or(Expected{});
+  sum = Expected{before.low + value->low, before.high + value->high};
 }
 
 void add(Expected& sum_s, double takes_s, const std::optional<Expected>& share) {
@@ -69,14 +75,11 @@ void add_outcome(Line& line, EventStatus status) {
 
 void add(Line& line, const EventEstimate& event) {
   add_outcome(line, event.status);
-  if (event.start_s && !line.start_s) line.start_s = event.start_s;
+  if (!line.start_s) line.start_s = range_of(event.start_s, event.start_range_s);
   if (!event.end_s) return;
   line.end_s = range_of(event.end_s, event.end_range_s);
   add(line.distance_m, event.distance_m);
-  if (const auto used_j = range_of(event.energy_used_j, event.energy_range_j)) {
-    const Expected sum_j = line.energy_used_j.value_or(Expected{});
-    line.energy_used_j = Expected{sum_j.low + used_j->low, sum_j.high + used_j->high};
-  }
+  add(line.energy_used_j, range_of(event.energy_used_j, event.energy_range_j));
   add(line.solar_j, event.solar_j);
   line.charge_end = range_of(event.charge_end, event.charge_end_range);
   const auto least = range_of(event.charge_min, event.charge_min_range);
@@ -151,6 +154,12 @@ std::string range_text(const std::optional<Expected>& value, double unit, int di
   return low + "-" + high + suffix;
 }
 
+// In kWh; of a range fewer digits, where they show it.
+std::string energy_text(const std::optional<Expected>& energy_j) {
+  const std::string text = range_text(energy_j, 3.6e6, 2);
+  return text.find('-', 1) != std::string::npos ? text : range_text(energy_j, 3.6e6, 3);
+}
+
 // "fails"; of several events "1 fails, 3 never begin".
 std::string outcome_text(const Line& line, bool is_each) {
   std::string text;
@@ -173,12 +182,11 @@ Cells cells_of(const Line& line, bool is_each) {
     if (!is_known || line.all_s <= 0) return {};
     return Expected{of_s.low / line.all_s, of_s.high / line.all_s};
   };
-  const std::optional<Expected>& used_j = line.energy_used_j;
   return {line.name,
-          time_text(range_of(line.start_s, {})),
+          time_text(line.start_s),
           time_text(line.end_s),
           number_text(line.distance_m, 1000, 3),
-          range_text(used_j, 3.6e6, used_j && !used_j->is_sure() ? 2 : 3),
+          energy_text(line.energy_used_j),
           number_text(line.solar_j, 3.6e6, 3),
           range_text(line.charge_end, 0.01, 1, "%"),
           range_text(line.charge_min, 0.01, 1, "%"),
@@ -215,7 +223,7 @@ Json estimate_json(const MissionEstimate& estimate) {
                       {"label", event.label},
                       {"status", to_string(event.status)},
                       {"reason", event.reason},
-                      {"start_s", to_json(event.start_s)},
+                      {"start_s", to_json(event.start_s, event.start_range_s)},
                       {"end_s", to_json(event.end_s, event.end_range_s)},
                       {"distance_m", to_json(event.distance_m)},
                       {"energy_used_j", to_json(event.energy_used_j, event.energy_range_j)},
@@ -234,10 +242,10 @@ std::string estimate_file_text(const MissionEstimate& estimate) {
     days.push_back({{"rover_id", day.rover_id},
                     {"day", day.day},
                     {"distance_m", day.distance_m},
-                    {"energy_used_j", to_json(day.energy_used_j)},
+                    {"energy_used_j", to_json(day.energy_used_j, day.energy_range_j)},
                     {"solar_j", to_json(day.solar_j)},
-                    {"charge_min", to_json(day.charge_min)},
-                    {"charge_end", to_json(day.charge_end)}});
+                    {"charge_min", to_json(day.charge_min, day.charge_min_range)},
+                    {"charge_end", to_json(day.charge_end, day.charge_end_range)}});
   }
   const Json whole{
       {"events", estimate_json(estimate)}, {"days", days}, {"cut_short", estimate.cut_short}};
@@ -252,8 +260,9 @@ std::string estimate_csv(const MissionEstimate& estimate, Instant mission_start)
       "rover_id,sequence,type,label,start_s,end_s,distance_m,energy_used_j,solar_j,charge_end,"
       "charge_min,sunlit_share_low,sunlit_share_high,earth_visible_share_low,"
       "earth_visible_share_high,end_s_low,end_s_high,energy_used_j_low,energy_used_j_high,"
-      "charge_end_low,charge_end_high,charge_min_low,charge_min_high,status,reason,"
-      "start_utc,end_utc\n";
+      "charge_end_low,charge_end_high,charge_min_low,charge_min_high,"
+      "start_s_low,start_s_high,"
+      "status,reason,start_utc,end_utc\n";
   for (const EventEstimate& event : estimate.events) {
     text += fmt::format("{},{},{},{}", csv_cell(event.rover_id), event.sequence,
                         csv_cell(event.type), csv_cell(event.label));
@@ -265,7 +274,8 @@ std::string estimate_csv(const MissionEstimate& estimate, Instant mission_start)
          {event.sunlit_share, event.earth_visible_share, range_of(event.end_s, event.end_range_s),
           range_of(event.energy_used_j, event.energy_range_j),
           range_of(event.charge_end, event.charge_end_range),
-          range_of(event.charge_min, event.charge_min_range)}) {
+          range_of(event.charge_min, event.charge_min_range),
+          range_of(event.start_s, event.start_range_s)}) {
       text += range ? fmt::format(",{},{}", range->low, range->high) : ",,";
     }
     text += fmt::format(",{},{},{},{}\n", to_string(event.status), csv_cell(event.reason),

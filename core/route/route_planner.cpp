@@ -358,8 +358,8 @@ class LegPlanner {
     leg_.reason = fmt::format(
         "it is {:.1f} km long; {:.1f} km at most can be planned at once in this direction, at "
         "{:.2f} m: waypoints between make shorter legs",
-        length_m / 1000, std::floor(longest_m() / 100) / 10, spacing_m_);
-    leg_.nearest_S_m = request_.start_S_m;
+        std::ceil(length_m / 100) / 10, std::floor(longest_m() / 100) / 10, spacing_m_);
+    leg_.nearest_S_m = request_.goal_S_m;
   }
 
   bool refuse(GroundMap& map, const std::string& reason, const Vec2& nearest_m) {

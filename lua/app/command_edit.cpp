@@ -52,7 +52,7 @@ int edit_command(const EditOptions& options) {
   const MissionFiles files = read_mission(options.plan);
   files.faults.throw_if_errors();
   const EditOutcome outcome = edited(options, files);
-  const MissionFiles new_files = read_new_plan(outcome.bytes, options.output);
+  const MissionFiles new_files = read_new_plan(outcome.bytes, options.output, outcome.copies);
   write_file(options.output, outcome.bytes);
   tell_new_warnings(files.faults, new_files.faults);
   if (const std::string moved = moved_ground(files, new_files); !moved.empty()) {

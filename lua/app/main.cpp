@@ -44,6 +44,30 @@ void insert_run(std::vector<std::string>& arguments) {
                                    lsos::did_you_mean(first, known)));
 }
 
+// Options of the command that was given which its unknown ones may mean: a line each.
+std::string meant_options(const CLI::App& app) {
+  std::string text;
+  for (const CLI::App* command : app.get_subcommands()) {
+    std::vector<std::string> known;
+    for (const CLI::Option* option : command->get_options()) {
+      if (option->get_group().empty()) continue;  // hidden
+      for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+    }
+    std::vector<std::string> unknown = command->remaining();
+    std::ranges::reverse(unknown);
+    for (const std::string& argument : unknown) {
+      if (!argument.starts_with("--")) continue;
+      const std::string name = argument.substr(0, argument.find('='));
+      const std::string meant = lsos::did_you_mean(name, known);
+      if (!meant.empty()) {
+        text += fmt::format("{}: there is no such option of '{}'{}\n", name, command->get_name(),
+                            meant);
+      }
+    }
+  }
+  return text;
+}
+
 int run_program(std::vector<std::string> arguments) {
   insert_run(arguments);
   CLI::App app("Simulates planetary surface missions that are drawn on a map.", "lsos-host");
@@ -72,6 +96,7 @@ int run_program(std::vector<std::string> arguments) {
     std::ostringstream result, message;
     const int code = app.exit(error, result, message);
     lsos::write_result(result.str());
+    if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) message << meant_options(app);
     lsos::write_message(message.str());
     return code == 0 ? 0 : 2;
   }

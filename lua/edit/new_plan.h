@@ -4,13 +4,15 @@
 #include <string>
 #include <vector>
 
+#include "edit/copied_events.h"
 #include "lua/host/mission_files.h"
 
 namespace lsos {
 
 // Reads `bytes`, which are to be written to `file`. Throws InputError with the faults that the new
-// plan would have.
-MissionFiles read_new_plan(const std::string& bytes, const std::string& file);
+// plan would have: of `copies` at the lines of what was copied, which is there to be looked at.
+MissionFiles read_new_plan(const std::string& bytes, const std::string& file,
+                           const CopyPlaces& copies = {});
 
 // Errors of a plan without faults that show when its rovers and assets are put on the ground, such
 // as two in one place. Its events do not count.

@@ -167,7 +167,8 @@ EditOutcome edited(const EditOptions& options, const MissionFiles& files) {
   }
   std::string what = verb_of(options).edit(editing);
   editing.document.follow_rasters(options.output);
-  return {file.with(editing.document.text()), std::move(what), std::move(editing.warnings)};
+  return {file.with(editing.document.text()), std::move(what), std::move(editing.warnings),
+          std::move(editing.copies)};
 }
 
 }  // namespace lsos

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "edit/copied_events.h"
 #include "lua/edit/edit_options.h"
 #include "lua/host/mission_files.h"
 
@@ -20,6 +21,7 @@ struct EditOutcome {
   std::string bytes;  // of the new file
   std::string what;   // "17 events renumbered"
   std::vector<std::string> warnings;
+  CopyPlaces copies;  // see Editing
 };
 
 // `files`: the plan, without errors. Throws InputError, also where the plan is KMZ and the output

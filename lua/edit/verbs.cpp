@@ -239,6 +239,7 @@ std::string edit_repeat(Editing& editing) {
   repetition.places_file = options.places;
   const Repeated repeated = repeat(editing.document, repetition, days);
   append(editing.warnings, repeated.warnings);
+  editing.copies = repeated.copies;
   return fmt::format("{} of day {} repeated {}, {} added",
                      counted(repetition.events.size(), "event"), options.day,
                      counted(repetition.times, "time"), counted(repeated.count, "event"));
@@ -302,6 +303,7 @@ std::string edit_mirror(Editing& editing) {
   const Mirrored mirrored =
       mirror(editing.document, {options.from, options.to, read_offset(options.offset)});
   append(editing.warnings, mirrored.warnings);
+  editing.copies = mirrored.copies;
   return fmt::format("{} of {} copied for {}", counted(mirrored.count, "event"), options.from,
                      options.to);
 }

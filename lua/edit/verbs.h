@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "edit/plan_document.h"
+#include "edit/copied_events.h"
 #include "lua/edit/edit_options.h"
 #include "lua/host/mission_files.h"
 
@@ -16,6 +16,7 @@ struct Editing {
   const MissionFiles& files;
   PlanDocument document;
   std::vector<std::string> warnings;
+  CopyPlaces copies = {};  // that were made; other events keep their identity
 };
 
 // Each changes the document and returns what it did: "17 events renumbered". They throw InputError.

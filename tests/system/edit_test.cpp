@@ -247,8 +247,14 @@ TEST_F(Edit, writes_nothing_where_the_new_plan_would_be_wrong) {
   const Outcome outcome = edit(both, {"mirror", "--from", "A", "--to", "B"});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_THAT(outcome.err, HasSubstr("new.kml: is not written, as the edited plan would have "
-                                     "faults (lines are its own)"));
-  EXPECT_THAT(outcome.err, HasSubstr("StopWhen = distance_to('B') < 10"));
+                                     "faults (lines are its own, but of copies those of what was "
+                                     "copied)"));
+  const std::string text = read_text(both);
+  const std::string before = text.substr(0, text.find("StopWhen"));
+  const auto line = 1 + std::ranges::count(before.substr(0, before.rfind("<Placemark")), '\n');
+  EXPECT_THAT(outcome.err,
+              HasSubstr("both.kml:" + std::to_string(line) + ": its copy B/30: Pause "));
+  EXPECT_THAT(outcome.err, HasSubstr(": StopWhen = distance_to('B') < 10"));
   EXPECT_FALSE(fs::exists(new_plan_));
 }
 

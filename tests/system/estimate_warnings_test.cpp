@@ -70,6 +70,19 @@ TEST(EstimateWarnings, tell_of_an_antenna_that_reaches_nobody) {
                                 HasSubstr("so it is once more until 2026-01-01T03:"))));
 }
 
+TEST(EstimateWarnings, look_at_an_antenna_for_as_long_as_the_mission_lasts) {
+  // A mast that the last event raises is there for what others do then; without them it has no use.
+  const std::vector<Mark> one{mission(), sev("A", far_side), pause(1, "1 h"),
+                              event("DeployCA", "A", 2)};
+  EXPECT_THAT(warnings(one), IsEmpty());
+  std::vector<Mark> two = one;
+  two.push_back(sev("B", "-179,12"));  // 30 km away, beyond the horizon
+  two.push_back(event("Pause", "B", 1, {{"Duration", "3 h"}}));
+  EXPECT_THAT(warnings(two),
+              ElementsAre(AllOf(HasSubstr("DeployCA 'DeployCA 2': by the estimate antenna"),
+                                HasSubstr(" to 2026-01-01T03:00:00.000Z and sees neither Earth"))));
+}
+
 TEST(EstimateWarnings, tell_nothing_of_an_antenna_that_sees_earth_or_an_asset) {
   EXPECT_THAT(
       warnings({mission(), sev("A", near_side), event("DeployCA", "A", 1), pause(2, "2 h")}),
@@ -110,6 +123,27 @@ TEST(EstimateWarnings, tell_of_an_event_that_never_starts) {
                                           "2026-01-01T01:00:00"),
                                 HasSubstr("and it never starts: MaxDuration is over; it waited "
                                           "for StartWhen: not sees('Earth')"))));
+}
+
+TEST(EstimateWarnings, tell_of_rovers_that_wait_in_vain_only_for_what_while_another_goes_on) {
+  const auto until_near = [](const char* rover, const char* other) {
+    return event(
+        "Pause", rover, 1,
+        {{"Duration", "60"}, {"StartWhen", std::string("distance_to('") + other + "') &lt; 10"}});
+  };
+  EXPECT_THAT(
+      warnings({mission({{"MaxDuration", "20 d"}}), sev("A", night), sev("B", "-149,12.002"),
+                sev("C", "-149,12.1"), until_near("A", "B"), until_near("B", "A"),
+                event("Pause", "C", 1, {{"Duration", "10 d"}})}),
+      ::testing::IsSupersetOf({HasSubstr("Pause 'Pause 1': by the estimate its turn comes at "
+                                         "2026-01-01T00:00:00.000Z and it never starts"),
+                               HasSubstr("it waited for StartWhen: distance_to('A') < 10")}));
+  for (const std::string& warning :
+       warnings({mission({{"MaxDuration", "20 d"}}), sev("A", night), sev("C", "-149,12.1"),
+                 until_near("A", "C"), event("Pause", "C", 1, {{"Duration", "3 d"}})})) {
+    EXPECT_THAT(warning, Not(HasSubstr("panels of A")));
+    EXPECT_THAT(warning, Not(HasSubstr("battery of A")));
+  }
 }
 
 TEST(EstimateWarnings, tell_of_a_rover_that_stands_where_another_goes) {

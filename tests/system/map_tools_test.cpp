@@ -19,19 +19,24 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using ::testing::HasSubstr;
 
-// Hash of a plan, which is independent of how it is written, and its faults.
+// Hash of a plan, which is independent of how it is written, and its faults, without their lines
+// and sorted.
 struct Checked {
   std::string hash;
   std::string faults;
+  bool is_valid = false;
 };
 
 Checked checked(const std::string& plan) {
   const Outcome outcome = run({"check", plan, "--json"});
   const json answer = json::parse(outcome.out, nullptr, false);
-  if (answer.is_discarded()) return {"", outcome.out + outcome.err};
+  if (answer.is_discarded()) return {"", outcome.out + outcome.err, false};
+  std::vector<std::string> whats;
+  for (const json& fault : answer["faults"]) whats.push_back(fault["what"]);
+  std::ranges::sort(whats);
   std::string faults;
-  for (const json& fault : answer["faults"]) faults += fault["what"].get<std::string>() + "\n";
-  return {answer["plan_sha256"], faults};
+  for (const std::string& what : whats) faults += what + "\n";
+  return {answer["plan_sha256"], faults, answer["is_valid"]};
 }
 
 struct Driver {
@@ -47,14 +52,15 @@ Outcome save_again(const std::string& plan, const Driver& driver, const std::str
 TEST(MapTools, shipped_plans_come_back_from_every_driver) {
   for (const fs::path& plan : shipped_plans()) {
     const Checked before = checked(plan);
-    ASSERT_EQ(before.faults, "") << plan;
+    // Shipped plans may have warnings that are true, as of a camp that the base does not see.
+    ASSERT_TRUE(before.is_valid) << plan << "\n" << before.faults;
     for (const Driver& driver : drivers) {
       const TempFolder folder;
       const std::string out = folder / ("plan." + driver.ending);
       const Outcome outcome = save_again(plan, driver, out);
       ASSERT_EQ(outcome.exit_code, 0) << plan << "\n" << outcome.err;
       const Checked after = checked(out);
-      EXPECT_EQ(after.faults, "") << plan << " by " << driver.name;
+      EXPECT_EQ(after.faults, before.faults) << plan << " by " << driver.name;
       EXPECT_EQ(after.hash, before.hash) << plan << " by " << driver.name;
     }
   }

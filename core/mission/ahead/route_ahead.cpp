@@ -17,6 +17,11 @@ namespace lsos {
 
 namespace {
 
+// In both units that speeds are written in.
+std::string speed_text(double speed_mps) {
+  return fmt::format("{:.3g} m/s ({:.3g} km/h)", speed_mps, 3.6 * speed_mps);
+}
+
 // Heading at the end of the line; near a pole the direction of north changes along it.
 double heading_from_to_rad(const SiteFrame& site, const Vec3& from_S_m, const Vec3& to_S_m) {
   return site.azimuth_rad(to_S_m - from_S_m, to_S_m);
@@ -205,10 +210,10 @@ class RoutePass {
   void warn_of_speed(const PlanEvent& event, const EventDeclaration& declaration) {
     const double* speed_mps = find_number(event.params, declaration, NumberRole::drive_speed);
     if (speed_mps == nullptr || *speed_mps <= routes_.speed_max_mps()) return;
-    add_fault(
-        {Severity::warning, event.place,
-         fmt::format("{} '{}': Speed is {:.3g} m/s, a {} does {:.3g} m/s at most", event.type,
-                     event.label, *speed_mps, routes_.rover_type(), routes_.speed_max_mps())});
+    add_fault({Severity::warning, event.place,
+               fmt::format("{} '{}': Speed is {}, a {} does {} at most", event.type, event.label,
+                           speed_text(*speed_mps), routes_.rover_type(),
+                           speed_text(routes_.speed_max_mps()))});
   }
 
   void add_fault(Fault fault) { result_.faults.push_back(std::move(fault)); }

@@ -6,6 +6,7 @@
 #include "base/rounding.h"
 #include "mission/estimate/event_ranges.h"
 #include "mission/light/sight_watch.h"
+#include "mission/light/sun_watch.h"
 
 namespace lsos {
 
@@ -38,6 +39,11 @@ void extend(std::vector<ShadeSpan>& spans, double begin_s, double end_s) {
   }
 }
 
+Expected share(const HeldSums& sums, double all_s) {
+  return {std::clamp(sums.surely_s / all_s, 0.0, 1.0),
+          std::clamp(sums.perhaps_s / all_s, 0.0, 1.0)};
+}
+
 // The other rover that stands where this one is, "" without any. Drives of an estimate go through
 // each other, while those of a run end before they touch.
 std::string standing_at(const Fleet& fleet, std::size_t k) {
@@ -60,56 +66,27 @@ void EstimateWatch::look(const Fleet& fleet, SimTime now) {
     const EventRecords& records = fleet.rovers[k].sequence.records();
     Watched& rover = rovers_[k];
     rover.sums.resize(records.size());
-    const double charge = agent.power().view().charge;
     rover.days.add({seconds(now), agent.view().distance_m, agent.power().energy_used_j(),
-                    agent.power().solar_j(), charge});
-    const DriveDoubt drives = agent.drive().doubt();
-    if (rover.running) {
-      Sums& sums = rover.sums[*rover.running];
-      sums.all_s += passed_s;
-      sums.charge_min = std::fmin(sums.charge_min, charge);
-      if (rover.lit > 0) sums.lit_s += passed_s;
-      if (rover.clear > 0) sums.clear_s += passed_s;
-      if (rover.surely_seen > 0) sums.surely_seen_s += passed_s;
-      if (rover.perhaps_seen > 0) sums.perhaps_seen_s += passed_s;
-      if (!std::isnan(rover.seen)) sums.sight_s += passed_s;
-      sums.drives += drives - rover.drives;
-      const EventRecord& record = records[*rover.running];
-      if (record.end && record.distance_m > 0) sums.meets = standing_at(fleet, k);
-    }
-    rover.drives = drives;
-    if (const std::size_t at = rover.running.value_or(rover.first); at < records.size()) {
-      Sums& sums = rover.sums[at];
-      sums.sun_less_j += rover.sun_less_w * passed_s;
-      sums.sun_more_j += rover.sun_more_w * passed_s;
-      if (charge >= full_charge) {
-        sums.sun_less_j = sums.sun_more_j = 0;
-        sums.was_full = true;
-      }
+                    agent.power().solar_j(), agent.power().view().charge});
+    pass(rover, agent, passed_s);
+    Sums none;
+    Sums& sums = rover.running ? rover.sums[*rover.running] : none;
+    if (rover.running && records[*rover.running].end && records[*rover.running].distance_m > 0) {
+      sums.meets = standing_at(fleet, k);
     }
     if (rover.lit == 0) {
       extend(rover.is_stowed ? rover.shade.stowed : rover.shade.dark, seconds(last_), seconds(now));
     }
     if (rover.seen == 0) extend(rover.shade.unseen, seconds(last_), seconds(now));
-    // What is found now holds until the next exchange.
+    find_sun(rover, agent, sums);
+    find_earth(rover, agent, now, sums);
+    rover.is_driving = agent.drive().is_carried();
+    rover.is_turning = agent.power().is_panel_turning();
     rover.running.reset();
     while (rover.first < records.size() && records[rover.first].end) ++rover.first;
     for (std::size_t i = rover.first; i < records.size() && !rover.running; ++i) {
       if (records[i].status == EventStatus::running) rover.running = i;
     }
-    const std::optional<double> lit = lit_share(agent);
-    rover.lit = lit ? *lit > 0 : not_modelled;
-    rover.clear = lit ? *lit >= clear_share : not_modelled;
-    const std::optional<PanelSunlight>& sun = agent.power().sun();
-    rover.sun_less_w = sun ? sun->less_w : 0;
-    rover.sun_more_w = sun ? sun->more_w : 0;
-    rover.is_stowed = lit && !agent.power().panels().is_any_up();
-    const std::optional<PairSight> earth = agent.sight_of(earth_id);
-    rover.seen = earth ? earth->is_visible : not_modelled;
-    rover.surely_seen = rover.perhaps_seen = rover.seen;
-    if (earth && earth->is_visible) rover.surely_seen = earth->fraction >= earth_surely;
-    // A disc that a body hides counts as hidden whole.
-    if (earth && !earth->is_visible) rover.perhaps_seen = earth->fraction >= earth_perhaps;
     rover.lacks.look(fleet, k, rover.running, {rover.lit == 0, rover.seen > 0}, seconds(now));
   }
   last_ = now;
@@ -120,6 +97,57 @@ void EstimateWatch::look(const Fleet& fleet, SimTime now) {
   } else if (!idle_since_) {
     idle_since_ = now;
   }
+}
+
+void EstimateWatch::pass(Watched& rover, const RoverAgent& agent, double passed_s) {
+  const double charge = agent.power().view().charge;
+  const DriveDoubt drives = agent.drive().doubt();
+  if (rover.running) {
+    Sums& sums = rover.sums[*rover.running];
+    sums.all_s += passed_s;
+    sums.charge_min = std::fmin(sums.charge_min, charge);
+    const bool is_moving = rover.is_driving || rover.is_turning;
+    rover.held_lit.pass(passed_s, is_moving, sums.lit);
+    rover.held_seen.pass(passed_s, is_moving, sums.seen);
+    if (!std::isnan(rover.seen)) sums.sight_s += passed_s;
+    sums.drives += drives - rover.drives;
+  }
+  rover.drives = drives;
+  const std::size_t at = rover.running.value_or(rover.first);
+  if (at >= rover.sums.size()) return;
+  Sums& sums = rover.sums[at];
+  sums.sun_less_j += rover.sun_less_w * passed_s;
+  sums.sun_more_j += rover.sun_more_w * passed_s;
+  if (charge >= full_charge) {
+    sums.sun_less_j = sums.sun_more_j = 0;
+    sums.was_full = true;
+  }
+}
+
+void EstimateWatch::find_sun(Watched& rover, const RoverAgent& agent, Sums& sums) {
+  const RoverPower& power = agent.power();
+  const std::optional<double> lit = lit_share(agent);
+  const std::optional<PanelSunlight>& sun = power.sun();
+  const bool is_anew = sun && rover.sun_time != sun->time;
+  rover.lit = lit ? *lit > 0 : not_modelled;
+  rover.held_lit.find(lit >= clear_share, lit > 0.0, is_anew, sums.lit);
+  rover.is_stowed = lit && !power.panels().is_any_up();
+  if (!is_anew) return;
+  rover.sun_time = sun->time;
+  rover.sun_less_w = sun->less_w;
+  rover.sun_more_w = sun->more_w;
+}
+
+void EstimateWatch::find_earth(Watched& rover, const RoverAgent& agent, SimTime now, Sums& sums) {
+  const std::optional<PairSight> earth = agent.sight_of(earth_id);
+  rover.seen = earth ? earth->is_visible : not_modelled;
+  bool surely = rover.seen > 0, perhaps = surely;
+  if (earth && earth->is_visible) surely = earth->fraction >= earth_surely;
+  // A disc that a body hides counts as hidden whole.
+  if (earth && !earth->is_visible) perhaps = earth->fraction >= earth_perhaps;
+  const bool is_anew = agent.drive().has_passed_mark() ||
+                       (rover.is_turning && now % estimate_turn_period == SimTime{});
+  rover.held_seen.find(surely, perhaps, is_anew, sums.seen);
 }
 
 std::vector<RoverShade> EstimateWatch::shades(const Fleet& fleet) const {
@@ -187,11 +215,8 @@ std::vector<EventEstimate> EstimateWatch::events(const Fleet& fleet, Instant mis
       event.charge_min =
           if_known(std::fmin(sums.charge_min, std::fmin(record.charge_start, record.charge_end)));
       if (sums.all_s <= 0) continue;
-      if (has_panels) event.sunlit_share = {sums.clear_s / sums.all_s, sums.lit_s / sums.all_s};
-      if (sums.sight_s > 0) {
-        event.earth_visible_share = {sums.surely_seen_s / sums.sight_s,
-                                     sums.perhaps_seen_s / sums.sight_s};
-      }
+      if (has_panels) event.sunlit_share = share(sums.lit, sums.all_s);
+      if (sums.sight_s > 0) event.earth_visible_share = share(sums.seen, sums.sight_s);
     }
   }
   for (std::size_t n = 0; n < doubted.size(); ++n) doubted[n].estimate = &events[doubted_at[n]];

@@ -7,6 +7,7 @@
 
 #include "mission/estimate/day_sums.h"
 #include "mission/estimate/event_estimate.h"
+#include "mission/estimate/held_share.h"
 #include "mission/estimate/lack_watch.h"
 #include "mission/fleet/fleet.h"
 
@@ -31,9 +32,8 @@ class EstimateWatch {
   // Sums over the time of an event.
   struct Sums {
     double all_s = 0, charge_min = not_modelled;
-    double lit_s = 0, clear_s = 0;  // any of the Sun's light reaches a panel; much of it
-    // Earth is surely seen, perhaps; it is known whether it is.
-    double surely_seen_s = 0, perhaps_seen_s = 0, sight_s = 0;
+    HeldSums lit, seen;  // the Sun reaches a panel: much of its light, any; Earth is in view
+    double sight_s = 0;  // it is known whether it is
     DriveDoubt drives;
     // The wait for it counts, too; since the battery was full.
     double sun_less_j = 0, sun_more_j = 0;
@@ -47,12 +47,20 @@ class EstimateWatch {
     RoverShade shade;
     DaySums days;
     LackWatch lacks;
-    DriveDoubt drives;       // of all drives up to the last exchange
-    bool is_stowed = false;  // it has panels, and none is up
-    double lit = not_modelled, clear = not_modelled, seen = not_modelled;
-    double surely_seen = not_modelled, perhaps_seen = not_modelled;
+    DriveDoubt drives;                            // of all drives up to the last exchange
+    bool is_stowed = false;                       // it has panels, and none is up
+    bool is_driving = false, is_turning = false;  // it is carried along a line; a panel turns
+    double lit = not_modelled, seen = not_modelled;
+    HeldShare held_lit, held_seen;
+    std::optional<SimTime> sun_time;  // when sunlight was evaluated
     double sun_less_w = 0, sun_more_w = 0;
   };
+
+  // Adds the time that has passed to the sums of the event that was under way.
+  static void pass(Watched& rover, const RoverAgent& agent, double passed_s);
+  // What holds from now on; `sums`: of the event that was under way.
+  static void find_sun(Watched& rover, const RoverAgent& agent, Sums& sums);
+  static void find_earth(Watched& rover, const RoverAgent& agent, SimTime now, Sums& sums);
 
   std::vector<Watched> rovers_;
   SimTime last_{};

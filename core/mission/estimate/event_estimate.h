@@ -47,7 +47,8 @@ struct EventEstimate {
   std::optional<double> distance_m, energy_used_j, solar_j;
   std::optional<double> charge_end, charge_min;  // 0..1
   // Ranges in which quantities that are not sure are expected to lie.
-  std::optional<Expected> end_range_s, energy_range_j, charge_end_range, charge_min_range;
+  std::optional<Expected> start_range_s, end_range_s, energy_range_j;
+  std::optional<Expected> charge_end_range, charge_min_range;
   // Shares of its time in which the Sun reaches a panel that is up, and in which Earth is in view
   // of the antenna in use.
   std::optional<Expected> sunlit_share, earth_visible_share;
@@ -61,6 +62,8 @@ struct DayEstimate {
   double distance_m = 0;
   std::optional<double> energy_used_j, solar_j;
   std::optional<double> charge_min, charge_end;  // 0..1
+  // Ranges in which quantities that are not sure are expected to lie.
+  std::optional<Expected> energy_range_j, charge_min_range, charge_end_range;
 };
 
 }  // namespace lsos

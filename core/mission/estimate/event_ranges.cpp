@@ -109,6 +109,7 @@ void add_ranges(const std::vector<DoubtedEvent>& events, Instant mission_start) 
       end = Expected::exactly(*estimate.end_s);
       duration_s = Expected::exactly(takes_s);
     }
+    estimate.start_range_s = told(start.low, start.high, end_told_s);
     estimate.end_range_s = told(end.low, end.high, end_told_s);
     ends_s[{estimate.rover_id, estimate.sequence}] = end;
     add_energy(event, duration_s, carried);

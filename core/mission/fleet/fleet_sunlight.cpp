@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "mission/fleet/solids.h"
-#include "mission/light/sun_watch.h"
 
 namespace lsos {
 
@@ -69,8 +68,8 @@ bool FleetSunlight::is_due(const RoverAgent& rover, SimTime now, Motion near) co
   const std::optional<PanelSunlight>& sun = power.sun();
   if (!sun || now >= sun->time + interval()) return true;
   if (near == Motion::has_ended) return true;
-  const bool moves = !rover.is_parked() || near == Motion::goes_on || follows_turns(power);
-  if (moves && now > sun->time && now % moving_update_period == SimTime{}) return true;
+  const bool moves = !rover.is_parked() || near == Motion::goes_on || follows_turns(rover);
+  if (moves && now > sun->time && now % turn_period() == SimTime{}) return true;
   const std::optional<SimTime> motion_end = power.panels().last_end(now);
   return rover.drive().has_motion_ended() || power.has_panel_command() ||
          (motion_end && *motion_end > sun->time);
@@ -78,23 +77,28 @@ bool FleetSunlight::is_due(const RoverAgent& rover, SimTime now, Motion near) co
 
 bool FleetSunlight::is_due(const StandingAsset& asset, SimTime now, Motion near) const {
   return !asset.sun || now >= asset.sun->time + interval() || near == Motion::has_ended ||
-         (near == Motion::goes_on && now % moving_update_period == SimTime{});
+         (near == Motion::goes_on && now % turn_period() == SimTime{});
 }
 
 void FleetSunlight::update(Fleet& fleet, const Moment& moment) {
   const SimTime now = moment.now;
   const SiteFrame& site = ground_->site();
-  const bool is_whole = now % moving_update_period == SimTime{};
+  const bool is_whole = now % turn_period() == SimTime{};
   for (FleetRover& rover : fleet.rovers) {
     RoverAgent& agent = *rover.agent;
     const Vec3& p_S_m = agent.view().p_S_m;
     if (!is_due(agent, now, motion_near(fleet, p_S_m, &agent))) continue;
     const Sunlight sun = sunlight_at(agent.motion().place(), moment);
-    if (!follows_turns(agent.power()) || is_whole) aim_panels(*ground_, agent, sun, now);
-    // Turning panels are evaluated at whole multiples of the period and when they arrive.
-    if (follows_turns(agent.power()) && !is_whole && agent.power().sun()) continue;
-    const PanelSunlight value = evaluate_sunlight(
-        light_, *ground_, agent, solids_near(fleet, site, p_S_m, agent.id(), sun, now), sun, now);
+    if (!follows_turns(agent) || is_whole) aim_panels(*ground_, agent, sun, now);
+    const bool turns = follows_turns(agent);
+    // Turning panels are evaluated at whole multiples of the period and when they arrive; in an
+    // estimate also as they set off, and as they stand in the middle of the time that follows.
+    if (turns && !is_whole && agent.power().sun() && !is_estimate_) continue;
+    const SimTime seen_at = turns && is_estimate_ ? now + turn_period() / 2 : now;
+    PanelSunlight value =
+        evaluate_sunlight(light_, *ground_, agent,
+                          solids_near(fleet, site, p_S_m, agent.id(), sun, now), sun, seen_at);
+    value.time = now;
     agent.power().set_sun(value);
     agent.power().clear_panel_command();
     agent.drive().clear_motion_ended();
@@ -124,7 +128,7 @@ std::optional<SimTime> FleetSunlight::wake(const RoverAgent& rover, const Fleet&
   const RoverPower& power = rover.power();
   if (power.needs_sun() && power.sun()) {
     // Turning panels are also evaluated when they arrive, which RoverPower::wake() covers.
-    wake = follows_turns(power) ? (now / moving_update_period + 1) * moving_update_period
+    wake = follows_turns(rover) ? (now / turn_period() + 1) * turn_period()
                                 : round_up_to_exchange(power.sun()->time + interval());
   }
   for (const StandingAsset& asset : fleet.assets) {

@@ -8,6 +8,7 @@
 #include "mission/fleet/fleet.h"
 #include "mission/light/light.h"
 #include "mission/light/sight_over_end.h"
+#include "mission/light/sun_watch.h"
 #include "planet/sunlight.h"
 
 namespace lsos {
@@ -18,8 +19,8 @@ class FleetSunlight {
 
   // Ground and renderer must outlive it. `optical_depth`: of the air's dust, straight up; `albedo`:
   // share of sunlight that the ground reflects; absent: what the body assumes.
-  // `is_estimate`: evaluates it for parked rovers alone, and when the Sun has moved
-  // `estimate_steps` times as far.
+  // `is_estimate`: evaluates it for parked rovers alone, when the Sun has moved `estimate_steps`
+  // times as far, and each estimate_turn_period while panels turn.
   FleetSunlight(const Ground& ground, Renderer& renderer, std::optional<double> optical_depth,
                 std::optional<double> albedo, bool is_estimate = false);
 
@@ -40,10 +41,12 @@ class FleetSunlight {
  private:
   const Body& body() const { return ground_->site().body(); }
   SimTime interval() const { return (is_estimate_ ? estimate_steps : 1) * sun_interval(body()); }
-  // Panels turn a long way in one go, so that what they give meanwhile counts.
-  bool follows_turns(const RoverPower& power) const {
-    return power.is_panel_turning() && !is_estimate_;
+  // Panels turn a long way in one go, so that what they give meanwhile counts. While an estimate
+  // carries a rover along its line, it is looked at at the marks of that.
+  bool follows_turns(const RoverAgent& rover) const {
+    return rover.power().is_panel_turning() && !(is_estimate_ && rover.drive().is_carried());
   }
+  SimTime turn_period() const { return is_estimate_ ? estimate_turn_period : moving_update_period; }
   bool is_due(const RoverAgent& rover, SimTime now, Motion near) const;
   bool is_due(const StandingAsset& asset, SimTime now, Motion near) const;
   Sunlight sunlight_at(const Geodetic& place, const Moment& moment) const;

@@ -14,7 +14,9 @@ namespace lsos {
 namespace {
 
 constexpr double speed_of_light_mps = 299792458;
-constexpr SimTime estimate_least{60'000'000};  // between two evaluations because something moves
+// Least time between two evaluations of an estimate because something else moves near an end:
+// panels that follow the Sun move often, and little at a time.
+constexpr SimTime estimate_least{60'000'000};
 
 }  // namespace
 
@@ -58,14 +60,15 @@ bool SightWatch::is_due(const Pair& pair, SimTime now, const std::vector<SightEn
   if (now >= *pair.time + interval(pair)) return true;
   Motion motion = ends[pair.from].motion;
   if (!is_to_earth) motion = std::max(motion, ends[pair.to].motion);
+  const bool is_of_others = motion == Motion::none;
   for (const SightEnd& other : ends) {
     if (other.motion == Motion::none) continue;
     if (is_near(pair, other, ends)) motion = std::max(motion, other.motion);
   }
-  // Panels that follow the Sun move often, and little at a time.
-  if (is_estimate_ && now < *pair.time + estimate_least) return false;
+  if (is_estimate_ && is_of_others && now < *pair.time + estimate_least) return false;
   if (motion == Motion::has_ended) return true;
-  return motion == Motion::goes_on && now > *pair.time && now % moving_update_period == SimTime{};
+  const SimTime period = is_estimate_ ? estimate_turn_period : moving_update_period;
+  return motion == Motion::goes_on && now > *pair.time && now % period == SimTime{};
 }
 
 void SightWatch::evaluate(Pair& pair, SimTime now, Instant utc, const std::vector<SightEnd>& ends,

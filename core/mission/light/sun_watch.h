@@ -9,6 +9,8 @@ namespace lsos {
 
 // Who moves nearer than this to a rover may shade it, m.
 inline constexpr double shading_reach_m = 100;
+// How often light and sight are looked at in an estimate while panels turn.
+inline constexpr SimTime estimate_turn_period{10'000'000};
 
 // Appends a rover's body, masts and the panels that are up, relative to `eye_S_m`, site axes.
 void append_solids(Mesh& mesh, const RoverAgent& rover, const Vec3& eye_S_m, SimTime now);

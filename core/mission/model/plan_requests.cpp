@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "mission/model/event_times.h"
 #include "mission/model/model_doubts.h"
@@ -46,23 +47,58 @@ void check_time_of_effect(const PlanEvent& event, const EventDeclaration& declar
   }
 }
 
+// Times of a rover's events after the mission's end: of many, as of days that are repeated beyond
+// it, the first is told and the others are counted.
+struct TimesAfterEnd {
+  const PlanEvent* first = nullptr;
+  std::string text;  // of the first
+  int more = 0;
+  Instant last{};
+  std::string last_label;
+
+  void add(const PlanEvent& event, Instant time, const std::string& its_text) {
+    if (first == nullptr) {
+      first = &event;
+      text = its_text;
+      last = time;
+      last_label = event.label;
+      return;
+    }
+    ++more;
+    if (time < last) return;
+    last = time;
+    last_label = event.label;
+  }
+  std::string whole_text() const {
+    if (more == 0) return text;
+    return text +
+           fmt::format("; nor {} of rover {}, up to {} of {}",
+                       more == 1 ? "does 1 more time" : fmt::format("do {} more times", more),
+                       quoted(first->rover_id), format_utc(last), quoted(last_label));
+  }
+};
+
 void check_times(const Plan& plan, const Declarations& declarations, Faults& faults) {
   const MissionInfo& mission = plan.mission;
+  std::map<std::string, TimesAfterEnd> after_end;  // by rover
   for (const PlanEvent& event : plan.events) {
     if (!event.is_enabled) continue;
     const auto check = [&](const std::string& field, Instant time) {
       const SimTime at = time - mission.start_time;
-      const auto warn = [&](const std::string& what) {
-        faults.warning(event.place, fmt::format("{} '{}': {} = {}: {}", event.type, event.label,
-                                                field, format_utc(time), what));
-      };
+      const std::string its =
+          fmt::format("{} '{}': {} = {}: ", event.type, event.label, field, format_utc(time));
       if (at < SimTime{}) {
-        warn(fmt::format("is {} before the mission's StartTime, {}: nothing waits for it",
-                         span_text(at), format_utc(mission.start_time)));
+        faults.warning(
+            event.place,
+            its + fmt::format("is {} before the mission's StartTime, {}: nothing waits for it",
+                              span_text(at), format_utc(mission.start_time)));
       } else if (mission.has_max_duration && at > mission.max_duration) {
-        warn(fmt::format("is {} after the mission's end by its MaxDuration, {}: it never comes",
-                         span_text(at - mission.max_duration),
-                         format_utc(mission.start_time + mission.max_duration)));
+        after_end[event.rover_id].add(
+            event, time,
+            its +
+                fmt::format("is {} after the mission's end by its MaxDuration, {}: it never comes",
+                            span_text(at - mission.max_duration),
+                            format_utc(mission.start_time + mission.max_duration)));
       }
     };
     if (event.start_time) check("StartTime", *event.start_time);
@@ -72,6 +108,9 @@ void check_times(const Plan& plan, const Declarations& declarations, Faults& fau
       if (field.kind != FieldKind::utc || value == event.params.end()) continue;
       check(field.name, std::get<Instant>(value->second));
     }
+  }
+  for (const auto& [rover_id, times] : after_end) {
+    faults.warning(times.first->place, times.whole_text());
   }
 }
 

@@ -92,7 +92,8 @@ PlannedLeg RoverRoutes::leg(const RouteSettings& settings, const LegStart& start
   std::ranges::copy(settings.standing, std::back_inserter(request.obstacles.standing));
   const PlannedLeg& whole = legs_->leg(cost(settings), request);
   const Vec3 nearest_S_m = whole.nearest_S_m;
-  const bool is_near = (nearest_S_m - goal_S_m).norm() <= settings.arrival_radius_m &&
+  const bool is_near = nearest_S_m != goal_S_m &&
+                       (nearest_S_m - goal_S_m).norm() <= settings.arrival_radius_m &&
                        (nearest_S_m - start.p_S_m).norm() > on_start_m;
   if (whole.is_found() || !is_near) return whole;
   request.goal_S_m = nearest_S_m;
@@ -133,6 +134,9 @@ std::string RoverRoutes::no_route_text(const Ground& ground, std::int64_t waypoi
     return surface_distance_m(ground.site().body(), ground.site().geodetic(p_S_m),
                               ground.site().geodetic(goal_S_m));
   };
+  if (leg.nearest_S_m == goal_S_m) {
+    return fmt::format("the leg to waypoint {}: {}", waypoint, leg.reason);
+  }
   if ((leg.nearest_S_m - start_S_m).norm() < on_start_m) {
     return fmt::format(
         "the leg to waypoint {}: {}; no place nearer to it than the start can be reached, {:.0f} m "
@@ -210,7 +214,7 @@ PlannedRoute RoverRoutes::plan(const std::string& rover_id, SimTime now, std::in
     if (!planned.is_found()) {
       PlannedRoute none;
       none.reason = no_route_text(*ground_, waypoint, at.p_S_m, goal_S_m, planned);
-      none.nearest_S_m = planned.nearest_S_m;
+      if (planned.nearest_S_m != goal_S_m) none.nearest_S_m = planned.nearest_S_m;
       return none;
     }
     if (known == nullptr && planned.ends_short()) {

@@ -82,7 +82,7 @@ struct PlannedLeg {
   std::vector<std::string> messages;  // of the optimiser, for the user
 
   // Why there is no route to the goal ("the goal is on a slope of 31 degrees, 20 are allowed"), and
-  // the reachable place that is nearest to it.
+  // the reachable place that is nearest to it: the goal itself where none was looked for.
   std::string reason;
   Vec3 nearest_S_m = Vec3::Zero();
 

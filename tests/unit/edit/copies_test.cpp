@@ -129,6 +129,17 @@ TEST(Mirror, copies_events_for_another_rover) {
   EXPECT_LT(lat_deg(to), lat_deg(from));
 }
 
+TEST(Mirror, renames_labels_that_have_the_rover_as_a_word) {
+  TestPlan plan(mission() + rover("SEV1") + rover("SEV2") + pause("SEV1 rests, SEV1", "SEV1", 10) +
+                pause("SEV10 and SEV1's rest", "SEV1", 20) + pause("XSEV1", "SEV1", 30));
+  mirror(plan.document, {"SEV1", "SEV2"});
+  EXPECT_THAT(
+      listed_events(plan.edited()),
+      ElementsAre("SEV1/10 Pause 'SEV1 rests, SEV1'", "SEV1/20 Pause 'SEV10 and SEV1's rest'",
+                  "SEV1/30 Pause 'XSEV1'", "SEV2/10 Pause 'SEV2 rests, SEV2'",
+                  "SEV2/20 Pause 'SEV10 and SEV2's rest'", "SEV2/30 Pause 'XSEV1'"));
+}
+
 TEST(Coordinates, move_with_their_altitudes_and_blanks) {
   const Body& moon = *find_body("Moon");
   EXPECT_EQ(moved_coordinates("31.0,20 \n 31.5 , 20.5,7", moon, {0, 0}),

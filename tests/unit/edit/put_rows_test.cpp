@@ -188,8 +188,9 @@ TEST_F(PutRows, a_place_in_a_track_is_not_changed) {
     set_places(plan.document, mark, {"Point", "31,20"});
     ADD_FAILURE() << "it was changed";
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("Route 't': its place stands in no <coordinates> (but a "
-                                        "Camera or a gx:Track), and is not changed"));
+    EXPECT_THAT(error.what(), HasSubstr("plan.kml:4: Route 't': its place stands in no "
+                                        "<coordinates> (but a Camera or a gx:Track), and is not "
+                                        "changed"));
   }
 }
 

@@ -69,6 +69,15 @@ TEST_F(EventRanges, of_charge_hold_what_a_sun_along_the_horizon_may_give) {
   EXPECT_FALSE(events[0].energy_range_j) << "what is used is sure";
 }
 
+TEST_F(EventRanges, never_end_before_they_begin) {
+  add("A", 1, 0, 1000, drive);
+  add("A", 2, 1000, 1005);
+  find();
+  ASSERT_TRUE(events[1].start_range_s && events[1].end_range_s);
+  EXPECT_DOUBLE_EQ(events[1].start_range_s->low, 980);
+  EXPECT_DOUBLE_EQ(events[1].end_range_s->low, 985);
+}
+
 TEST_F(EventRanges, add_up_from_event_to_event) {
   add("A", 1, 0, 1000, drive);
   add("A", 2, 1000, 2000);
@@ -106,6 +115,9 @@ TEST_F(EventRanges, begin_anew_at_a_time_of_day_that_is_waited_for) {
   add("A", 4, 3000, 4000).params["until"] = start + from_seconds(4000);
   find();
   // The drive may be ten seconds late for it.
+  ASSERT_TRUE(events[1].start_range_s);
+  EXPECT_DOUBLE_EQ(events[1].start_range_s->low, 1030);
+  EXPECT_DOUBLE_EQ(events[1].start_range_s->high, 1040);
   expect_end(1, 2000, 2010);
   expect_end(2, 2980, 3050);
   EXPECT_FALSE(events[3].end_range_s);

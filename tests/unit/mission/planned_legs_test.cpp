@@ -1,8 +1,9 @@
 // Legs are planned once, kept for the next run, and never taken for another.
 #include "mission/routes/planned_legs.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
+#include "mission/routes/rover_routes.h"
 #include "unit/route/test_rover.h"
 
 namespace lsos::test {
@@ -28,6 +29,19 @@ TEST(PlannedLegs, are_recalled_to_the_last_bit) {
   EXPECT_EQ(recalled.cost, planned.cost);
   EXPECT_EQ(recalled.end_heading_rad, planned.end_heading_rad);
   EXPECT_EQ(second.kept(), "") << "it has planned though it knew";
+}
+
+TEST(PlannedLegs, that_are_too_long_name_no_nearest_place_as_none_was_looked_for) {
+  const Site site({});
+  PlannedLegs legs(site.ground(), 7);
+  LegRequest far = request();
+  far.goal_S_m = {60e3, 0, 0};
+  const PlannedLeg& leg = legs.leg(simple_rover(), far);
+  ASSERT_FALSE(leg.is_found());
+  const std::string text =
+      RoverRoutes::no_route_text(site.ground(), 2, far.start_S_m, far.goal_S_m, leg);
+  EXPECT_THAT(text, ::testing::StartsWith("the leg to waypoint 2: it is 60.0 km long; "));
+  EXPECT_THAT(text, ::testing::EndsWith(" m: waypoints between make shorter legs"));
 }
 
 TEST(PlannedLegs, are_kept_while_more_are_planned) {

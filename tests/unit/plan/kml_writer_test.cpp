@@ -4,8 +4,10 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <random>
 
 #include "plan/kml_reader.h"
+#include "plan/kmz_archive.h"
 #include "plan_fixture.h"
 #include "support/reference_data.h"
 
@@ -112,6 +114,23 @@ TEST(KmlWriter, a_line_of_one_point_is_a_broken_promise) {
   document.placemarks.resize(1);
   document.placemarks[0].geometry = {KmlGeometryKind::line, {Geodetic{}}, true};
   EXPECT_THROW(write_kml(document), InternalError);
+}
+
+TEST(PackedZip, keeps_what_stands_before_the_file_that_is_replaced) {
+  // Bytes that do not compress: of a small beginning libzip keeps nothing.
+  std::mt19937 random(1);
+  std::string picture(100'000, '\0');
+  for (char& byte : picture) byte = static_cast<char>(random());
+  const std::string zip = pack_zip({{"first.png", picture}, {"doc.kml", "old"}, {"last.png", "y"}});
+  const std::string before = zip;
+  // Twice, as the second begins with what the first has made.
+  const std::string once = repacked_zip(zip, "doc.kml", "newer");
+  const std::string again = repacked_zip(once, "last.png", "z");
+  EXPECT_EQ(zip, before);
+  KmzArchive archive(again, "plan.kmz");
+  EXPECT_EQ(archive.unpacked("first.png"), picture);
+  EXPECT_EQ(archive.unpacked("doc.kml"), "newer");
+  EXPECT_EQ(archive.unpacked("last.png"), "z");
 }
 
 }  // namespace

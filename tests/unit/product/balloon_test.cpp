@@ -32,10 +32,12 @@ TEST(Balloon, rounds_what_it_shows_and_not_what_it_converts) {
 
 TEST(Balloon, says_ranges) {
   EventEstimate event = pause();
+  event.start_range_s = Expected{-5, 35};
   event.end_range_s = Expected{520, 580};
   event.energy_range_j = Expected{2.7e6, 3.9e6};
   event.charge_end_range = Expected{0.6, 0.62};
   const std::string html = balloon(event, start);
+  EXPECT_THAT(html, HasSubstr("<td>Begins<td>2026-07-01 05:59:55 to 06:00:35 UTC"));
   EXPECT_THAT(html, HasSubstr("<td>Ends<td>2026-07-01 06:08:40 to 06:09:40 UTC"));
   EXPECT_THAT(html, HasSubstr("<td>Energy used<td>750 Wh to 1.08 kWh"));
   EXPECT_THAT(html, HasSubstr("<td>Charge at its end<td>60 to 62 %"));
