@@ -131,7 +131,7 @@ std::string clock_text(double time_s, bool has_day) {
 }
 
 // "2 05:10", of a range "2 05:10-05:14".
-std::string time_text(const std::optional<Expected>& time_s) {
+std::string time_cell(const std::optional<Expected>& time_s) {
   if (!time_s) return "-";
   const std::string low = clock_text(time_s->low, true), high = clock_text(time_s->high, true);
   if (low == high) return low;
@@ -183,8 +183,8 @@ Cells cells_of(const Line& line, bool is_each) {
     return Expected{of_s.low / line.all_s, of_s.high / line.all_s};
   };
   return {line.name,
-          time_text(line.start_s),
-          time_text(line.end_s),
+          time_cell(line.start_s),
+          time_cell(line.end_s),
           number_text(line.distance_m, 1000, 3),
           energy_text(line.energy_used_j),
           number_text(line.solar_j, 3.6e6, 3),

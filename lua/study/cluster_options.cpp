@@ -12,7 +12,7 @@ namespace lsos {
 
 namespace {
 
-[[noreturn]] void refuse(const char* option, const std::string& text, const char* wanted) {
+[[noreturn]] void refuse_option(const char* option, const std::string& text, const char* wanted) {
   throw InputError({}, fmt::format("{} {}: {}", option, text, wanted));
 }
 
@@ -43,17 +43,18 @@ void check_cluster_options(const ClusterOptions& options) {
     }
   }
   if (!options.time.empty() && !time_limit_s(options.time)) {
-    refuse("--time", options.time,
-           "a minute or more is wanted, as in 90 (minutes), 1:30:00 or 2-12:00:00 (days-hours)");
+    refuse_option(
+        "--time", options.time,
+        "a minute or more is wanted, as in 90 (minutes), 1:30:00 or 2-12:00:00 (days-hours)");
   }
   static const std::regex name(R"([A-Za-z0-9_][A-Za-z0-9_.,@:+-]*)");
   if (!options.partition.empty() && !std::regex_match(options.partition, name)) {
-    refuse("--partition", options.partition,
-           "a name, or several with commas between them, is wanted");
+    refuse_option("--partition", options.partition,
+                  "a name, or several with commas between them, is wanted");
   }
   for (const std::string& directive : options.directives) {
     if (!directive.empty() && !has_line_break(directive)) continue;
-    refuse("--directive", directive, "one line is wanted, as in --directive=--account=moon");
+    refuse_option("--directive", directive, "one line is wanted, as in --directive=--account=moon");
   }
 }
 

@@ -199,7 +199,7 @@ void add_surroundings(const Engine& engine, ScriptValues& values) {
   }
 }
 
-void add_options(const ClusterOptions& options, ScriptValues& values) {
+void add_limits(const ClusterOptions& options, ScriptValues& values) {
   const std::int64_t limit_s = time_limit_s(options.time).value_or(0);
   const bool is_limited = limit_s > 0;
   const auto text = [](std::int64_t value) { return fmt::format("{}", value); };
@@ -252,7 +252,7 @@ std::string job_script(const std::string& engine_name, const StudyFiles& files,
   values.add_all("task", tasks.cases);
   add_commands(engine, files, folder, options, values);
   add_surroundings(engine, values);
-  add_options(options.cluster, values);
+  add_limits(options.cluster, values);
   refuse_line_breaks(values.all());
   return filled_template(*text, values.all(), file);
 }

@@ -69,7 +69,7 @@ std::optional<std::string> job_in(const std::string& text) {
   return {};
 }
 
-[[noreturn]] void refuse(const std::string& words, const Words& sent) {
+[[noreturn]] void refuse_job(const std::string& words, const Words& sent) {
   std::string left = "; nothing is in the queue";
   if (!sent.empty()) {
     Words cancel{"scancel"};
@@ -89,7 +89,7 @@ std::string send(Words words, const Words& sent) {
   words.insert(words.begin(), {"sbatch", "--parsable"});
   const ProgramOutput answer = program_output(words);
   const std::optional<std::string> job = answer.is_success() ? job_in(answer.text) : std::nullopt;
-  if (!job) refuse(answer.text.empty() ? "it says nothing" : answer.text, sent);
+  if (!job) refuse_job(answer.text.empty() ? "it says nothing" : answer.text, sent);
   return *job;
 }
 

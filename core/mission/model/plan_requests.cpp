@@ -129,9 +129,9 @@ double least_drive_s(const PlanEvent& event, const EventDeclaration& declaration
   return length_m / drive_speed_mps(event, declaration, vehicle);
 }
 
-// The speed of a drive, for messages.
-const char* speed_text(const PlanEvent& event, const EventDeclaration& declaration,
-                       const VehicleConfig& vehicle) {
+// Where the speed of a drive comes from, for messages.
+const char* speed_source(const PlanEvent& event, const EventDeclaration& declaration,
+                         const VehicleConfig& vehicle) {
   const double* requested_mps = find_number(event.params, declaration, NumberRole::drive_speed);
   if (requested_mps == nullptr) return "the rover's cruise speed";
   return *requested_mps > vehicle.speed_max_mps ? "the rover's greatest speed" : "its Speed";
@@ -155,7 +155,7 @@ void check_timeouts(const Plan& plan, const Declarations& declarations,
     const VehicleConfig& vehicle = model->second.spec.vehicle;
     std::optional<Geodetic> at;  // absent: only the line counts
     warn(least_drive_s(event, declaration, vehicle, *plan.mission.planet, at),
-         fmt::format("that its line takes at {}", speed_text(event, declaration, vehicle)));
+         fmt::format("that its line takes at {}", speed_source(event, declaration, vehicle)));
   }
 }
 
