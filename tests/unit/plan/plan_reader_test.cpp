@@ -172,7 +172,7 @@ TEST(PlanReader, a_value_above_its_only_bound_is_refused) {
   const Read result = read(
       mission() + rover() + event("Route", "a", "A", 1, {{"Speed", "36 km/h"}}, line()), known);
   EXPECT_THAT(test::faults_text(result.faults),
-              HasSubstr("Route 'a': Speed = '36 km/h': must be at most 5 m/s"));
+              HasSubstr("Route 'a': Speed = '36 km/h': must be at most 18 km/h"));
 }
 
 TEST(PlanReader, longitudes_are_brought_into_half_a_turn) {
