@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <map>
 
 #include "lua/runtime/reader.h"
+#include "product/study/study_columns.h"
 #include "record/quantities.h"
 
 namespace lsos {
@@ -12,6 +15,8 @@ namespace lsos {
 namespace {
 
 using Kind = StudyColumn::Kind;
+
+char ascii_lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
 // The SI unit of a unit's kind, as "m/s" of "km/h"; "" for numbers without one.
 std::string si_unit_of_kind(const Unit* unit) {
@@ -108,6 +113,30 @@ GatherRequest gather_request(const StudyFiles& files, const std::string& folder)
     request.gathered.push_back(column_of(gathering));
   }
   return request;
+}
+
+void check_columns(const StudyFiles& files) {
+  const GatherRequest request = gather_request(files, "");
+  std::map<std::string, const StudyColumn*> known;
+  Faults faults;
+  const std::vector<StudyColumn> columns =
+      study_columns(request.parameters, request.gathered, request.rovers);
+  for (const StudyColumn& column : columns) {
+    std::string name = column.name;
+    std::ranges::transform(name, name.begin(), ascii_lower);
+    const auto [first, is_new] = known.emplace(name, &column);
+    if (is_new) continue;
+    const auto gathering = std::ranges::find(files.study.gathered, column.name, &Gathering::name);
+    const bool is_gathered = column.kind == Kind::gathered;
+    faults.error(is_gathered ? gathering->place : files.study.place,
+                 fmt::format("{}: '{}' would be the column '{}' of study.gpkg, whose names have no "
+                             "case: {}",
+                             is_gathered ? "gather" : "study", column.name, first->second->name,
+                             is_gathered ? "'name' says another"
+                                         : "rovers whose names differ in more are wanted"));
+    if (!is_gathered) break;  // all numbers of that rover
+  }
+  faults.throw_if_errors();
 }
 
 }  // namespace lsos

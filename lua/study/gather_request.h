@@ -10,4 +10,8 @@ namespace lsos {
 
 GatherRequest gather_request(const StudyFiles& files, const std::string& folder);
 
+// Whether each column of the table has a name of its own; SQLite tells letters by no case. Throws
+// InputError.
+void check_columns(const StudyFiles& files);
+
 }  // namespace lsos

@@ -15,6 +15,7 @@
 #include "lua/study/case_run.h"
 #include "lua/study/cluster.h"
 #include "lua/study/dry_run.h"
+#include "lua/study/gather_request.h"
 #include "lua/study/pool.h"
 #include "lua/study/stop_early.h"
 #include "lua/study/study_files.h"
@@ -104,6 +105,7 @@ std::string study_folder(const SweepOptions& options) {
 
 int sweep(const SweepOptions& options) {
   const StudyFiles files = read_study(options.study);
+  check_columns(files);
   if (!options.is_quiet) tell_warnings(files);
   const std::string folder = study_folder(options);
   const auto jobs = options.jobs > 0 ? static_cast<std::size_t>(options.jobs) : processors();
@@ -157,6 +159,7 @@ int sweep_status(const SweepOptions& options) {
 
 int sweep_gather(const SweepOptions& options) {
   const StudyFiles files = read_study(options.study);
+  check_columns(files);
   const std::string folder = study_folder(options);
   check_study_folder(files, folder);
   const Gathered gathered = write_study(files, folder, product_threads(options));

@@ -284,6 +284,25 @@ TEST_F(Sweep, tells_all_faults_of_a_study_at_once) {
   EXPECT_FALSE(fs::exists(folder_ / "out"));
 }
 
+TEST_F(Sweep, gives_each_column_a_name_of_its_own) {
+  write(
+      short_plan(),
+      study_text("cases = 1, gather = { lsos.gather { event = 'A/10', quantity = 'charge', name = "
+                 "'Seed' }, lsos.gather { rover = 'A', take = 'least', quantity = 'charge', name "
+                 "= 'a/10.speed' } },",
+                 speeds));
+  const Outcome outcome = sweep({});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("study.lua:4: gather: 'Seed' would be the column 'seed' of "));
+  EXPECT_THAT(outcome.err, HasSubstr("gather: 'a/10.speed' would be the column 'A/10.Speed' of "));
+  std::vector<Mark> marks = short_plan();
+  marks.push_back(sev("a", "31.001,20"));
+  write(marks, study_text("cases = 1,", speeds));
+  EXPECT_THAT(sweep({}).err,
+              HasSubstr("study: 'a_distance_m' would be the column 'A_distance_m' of study.gpkg, "
+                        "whose names have no case: rovers"));
+}
+
 TEST_F(Sweep, refuses_forms_that_do_not_say_how) {
   write(short_plan(), study_text("cases = 2, sampling = 'grid',",
                                  "    lsos.vary { of = 'A/10.Speed' },\n"
