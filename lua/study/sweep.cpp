@@ -124,7 +124,7 @@ int sweep(const SweepOptions& options) {
   for (const std::int64_t number : numbers) fs::remove(not_run_file(folder, number));
   const int threads =
       options.threads > 0 ? options.threads : std::max(1, static_cast<int>(processors() / jobs));
-  SweepNews news(folder, sweep_state(folder, files.cases), jobs, options.is_quiet);
+  SweepNews news(folder, sweep_state(folder, needed()), jobs, options.is_quiet);
   Pool pool(jobs, [&](std::int64_t number) {
     catch_stop_signals();
     return static_cast<int>(run_case(files, number, folder, threads));
@@ -143,7 +143,7 @@ int sweep(const SweepOptions& options) {
   }
   if (options.verb != "run") write_study(files, folder, product_threads(options));
   if (enough.last_case()) note_last_case(folder, last_case());
-  const SweepState state = sweep_state(folder, last_case());
+  const SweepState state = sweep_state(folder, needed());
   print_result("{}", options.is_json ? to_json(state) : to_text(state) + "\n");
   if (!options.is_json && enough.last_case()) print_result("{}\n", enough.text());
   if (!options.is_json) print_result("results in {}\n", folder);
@@ -152,7 +152,7 @@ int sweep(const SweepOptions& options) {
 
 int sweep_status(const SweepOptions& options) {
   const std::string folder = study_folder(options);
-  const SweepState state = sweep_state(folder, cases_of_folder(folder));
+  const SweepState state = sweep_state(folder, listed_cases("", cases_of_folder(folder)));
   print_result("{}", options.is_json ? to_json(state) : to_text(state) + "\n");
   return 0;
 }
@@ -167,7 +167,7 @@ int sweep_gather(const SweepOptions& options) {
   const std::int64_t last_case = enough.last_case().value_or(files.cases);
   if (enough.last_case()) note_last_case(folder, last_case);
   if (options.is_json) {
-    print_result("{}", to_json(sweep_state(folder, last_case)));
+    print_result("{}", to_json(sweep_state(folder, listed_cases("", last_case))));
     return 0;
   }
   print_result("{} of {} cases in {}/{}, {} and {}\n", gathered.cases, last_case, folder,

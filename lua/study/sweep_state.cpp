@@ -40,11 +40,11 @@ void SweepState::add(const std::string& status, double wall_s) {
   ++(status == "completed" ? completed : status == "failed" ? failed : incomplete);
 }
 
-SweepState sweep_state(const std::string& folder, std::int64_t cases) {
+SweepState sweep_state(const std::string& folder, const std::vector<std::int64_t>& numbers) {
   SweepState state;
-  state.cases = cases;
+  state.cases = static_cast<std::int64_t>(numbers.size());
   std::error_code absent;
-  for (std::int64_t number = 1; number <= cases; ++number) {
+  for (const std::int64_t number : numbers) {
     const std::string name = case_folder(folder, number);
     if (const auto record = read_case_record(read_file(name + "/" + case_file).value_or(""))) {
       state.add(record->status, record->wall_s);

@@ -23,8 +23,9 @@ struct SweepState {
   void add(const std::string& status, double wall_s);
 };
 
-// Reads the cases 1 to `cases` in the folder.
-SweepState sweep_state(const std::string& folder, std::int64_t cases);
+// Reads these cases in the folder. A task of a cluster reads its own alone: all tasks together
+// would read each case as often as there are tasks.
+SweepState sweep_state(const std::string& folder, const std::vector<std::int64_t>& numbers);
 
 // "12 of 200 cases done (10 completed, 2 failed), 2 running".
 std::string to_text(const SweepState& state);
