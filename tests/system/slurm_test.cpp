@@ -68,8 +68,16 @@ class RealSlurm : public ClusterFolder {
     }
     return 0;
   }
-  bool has_log(int number) const {
-    return fs::exists(folder() / ("sent/cases/00000" + std::to_string(number) + ".part/log.gpkg"));
+  // Whether the process of a case has worked so long that its rover drives.
+  bool is_driving(int number) const {
+    const std::string pool = std::to_string(pool_of(number));
+    std::ifstream children("/proc/" + pool + "/task/" + pool + "/children");
+    std::string child, word;
+    if (!(children >> child)) return false;
+    std::ifstream stat("/proc/" + child + "/stat");
+    // The 14th number is its time in hundredths of a second; no word of the second has a blank.
+    for (int i = 0; i < 14; ++i) stat >> word;
+    return stat && std::stol(word) > 200;
   }
   json status() {
     return json::parse(
@@ -86,7 +94,8 @@ TEST_F(RealSlurm, runs_stops_and_goes_on_with_a_study) {
   const json sent = send();
   ASSERT_EQ(sent["arrays"].size(), 2u) << "2 tasks of an array at most";
   const std::string first = sent["arrays"][0], gathering = sent["gather"];
-  ASSERT_TRUE(comes_true([&] { return has_log(1) && has_log(2); }, 5 * minutes)) << slurm_->logs();
+  ASSERT_TRUE(comes_true([&] { return is_driving(1) && is_driving(2); }, 5 * minutes))
+      << slurm_->logs();
   EXPECT_GE(status()["running"].size(), 1u);
   EXPECT_EQ(slurm_->state_of(gathering), "PENDING");
   const Outcome twice = sweep({"--slurm", "-o", "sent"}, {slurm_->environment()});
@@ -127,7 +136,7 @@ TEST_F(RealSlurm, ends_what_is_cancelled) {
   write_long_study("0.4");
   const json sent = send();
   const std::string task = sent["arrays"][0].get<std::string>() + "_1";
-  ASSERT_TRUE(comes_true([&] { return has_log(1); }, 5 * minutes)) << slurm_->logs();
+  ASSERT_TRUE(comes_true([&] { return is_driving(1); }, 5 * minutes)) << slurm_->logs();
   slurm_->ask({"scancel", task});
   EXPECT_EQ(end_of(task), "CANCELLED");
   const json part = json::parse(read_text(folder() / "sent/cases/000001.part/summary.json"));
