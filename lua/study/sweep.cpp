@@ -142,7 +142,8 @@ int sweep(const SweepOptions& options) {
     return 128 + signal;
   }
   if (options.verb != "run") write_study(files, folder, product_threads(options));
-  if (enough.last_case()) note_last_case(folder, last_case());
+  // A task of a cluster may not see all cases that have told.
+  if (enough.last_case() || options.verb != "run") note_last_case(folder, enough.last_case());
   const SweepState state = sweep_state(folder, needed());
   print_result("{}", options.is_json ? to_json(state) : to_text(state) + "\n");
   if (!options.is_json && enough.last_case()) print_result("{}\n", enough.text());
@@ -165,7 +166,7 @@ int sweep_gather(const SweepOptions& options) {
   const Gathered gathered = write_study(files, folder, product_threads(options));
   StopWatch enough(files, folder);
   const std::int64_t last_case = enough.last_case().value_or(files.cases);
-  if (enough.last_case()) note_last_case(folder, last_case);
+  note_last_case(folder, enough.last_case());
   if (options.is_json) {
     print_result("{}", to_json(sweep_state(folder, listed_cases("", last_case))));
     return 0;

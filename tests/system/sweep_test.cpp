@@ -217,6 +217,29 @@ TEST_F(Sweep, goes_on_after_it_was_stopped) {
   EXPECT_EQ(state["running"], json::array());
 }
 
+// The processes of a cluster's tasks find the record at once, each by its own name of the folder.
+TEST_F(Sweep, leaves_its_record_as_it_is) {
+  write(short_plan(), study_text("cases = 1, stop_when = lsos.stop_when { of = 'completed', within "
+                                 "= 0.1 },",
+                                 "lsos.vary { of = 'MissionInfo.Seed', list = { 1, 2 } },"));
+  const Words run_words{"sweep", "run", "study.lua", "-o", "out", "--quiet"};
+  ASSERT_EQ(run(run_words, {.folder = folder_.path()}).exit_code, 0);
+  const std::string file = folder_ / "out/study.json";
+  auto record = nlohmann::ordered_json::parse(read_text(file));
+  record["last_case"] = 1;
+  record["study_file"] = "/elsewhere/study.lua";
+  const std::string text = record.dump();
+  std::ofstream(file) << text;
+  ASSERT_EQ(run(run_words, {.folder = folder_.path()}).exit_code, 0);
+  EXPECT_EQ(read_text(file), text);
+  // More cases are another matter.
+  record["cases"] = 7;
+  std::ofstream(file) << record.dump();
+  ASSERT_EQ(run(run_words, {.folder = folder_.path()}).exit_code, 0);
+  EXPECT_EQ(json::parse(read_text(file))["cases"], 1);
+  EXPECT_EQ(json::parse(read_text(file))["last_case"], 1);
+}
+
 // A batch system sends SIGTERM to all processes of a job, and the job's shell passes on its own.
 TEST_F(Sweep, stops_at_a_checkpoint_however_often_it_is_told) {
   write(long_drive(),
