@@ -5,6 +5,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -88,6 +89,21 @@ bool has_ended(const std::string& folder) {
   } catch (const InputError&) {
     return false;
   }
+}
+
+// The time up to which a stopped run need not be repeated. A run's first checkpoint is its start.
+SimTime reached(const std::string& folder) {
+  if (has_ended(folder)) return SimTime::max();
+  SimTime last{};
+  if (!fs::exists(folder + "/log.gpkg")) return last;
+  try {
+    for (const CheckpointEntry& entry : LogReader(folder + "/log.gpkg").checkpoints()) {
+      last = std::max(last, entry.time);
+    }
+  } catch (const InputError&) {
+    // It was killed before its first checkpoint.
+  }
+  return last;
 }
 
 CaseRecord record_of(const StudyFiles& files, std::int64_t number) {
@@ -205,8 +221,9 @@ CaseEnd run_case(const StudyFiles& files, std::int64_t number, const std::string
   const double before_s = cpu_s();
   const std::string folder = part_folder(study_folder, number);
   try {
+    const SimTime before = reached(folder);
     const int code = run_mission(files, number, folder, threads);
-    if (code > 128) return CaseEnd::stopped;
+    if (code > 128) return reached(folder) > before ? CaseEnd::stopped : CaseEnd::no_further;
     finish(files, number, study_folder, before_s);
     return CaseEnd::done;
   } catch (const OutputError& error) {

@@ -32,6 +32,16 @@ class Sweep : public ::testing::Test {
     return run(words, {.folder = folder_.path()});
   }
 
+  // Whether a process has a handler for a signal.
+  static bool heeds(pid_t process, int signal) {
+    std::ifstream status("/proc/" + std::to_string(process) + "/status");
+    for (std::string line; std::getline(status, line);) {
+      if (!line.starts_with("SigCgt:")) continue;
+      return (std::stoull(line.substr(7), nullptr, 16) >> (signal - 1) & 1) != 0;
+    }
+    return false;
+  }
+
   // Waits until the first case drives.
   void wait_for_drive() const {
     const fs::path log = folder_ / "out/cases/000001.part/log.gpkg";
@@ -215,6 +225,29 @@ TEST_F(Sweep, goes_on_after_it_was_stopped) {
   EXPECT_EQ(state["cases"], 2);
   EXPECT_EQ(state["done"], 0);
   EXPECT_EQ(state["running"], json::array());
+}
+
+// What runs a task again where it was stopped would never end.
+TEST_F(Sweep, tells_when_it_was_stopped_before_a_case_came_further) {
+  write(long_drive(),
+        study_text("cases = 1,", "lsos.vary { of = 'MissionInfo.Seed', list = { 1, 2 } },"));
+  const Words words = program({"sweep", "run", "study.lua", "-o", "out", "--quiet"});
+  Process early(words, {.folder = folder_.path()});
+  // From its first steps on it heeds the signal.
+  for (int i = 0; i < 1000 && !heeds(early.id(), SIGTERM); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  early.signal(SIGTERM);
+  const Outcome none = early.wait();
+  EXPECT_EQ(none.exit_code, 75) << none.err;
+  EXPECT_THAT(none.err, HasSubstr("stopped before any case came further than before"));
+
+  Process later(words, {.folder = folder_.path()});
+  wait_for_drive();
+  later.signal(SIGTERM);
+  const Outcome further = later.wait();
+  EXPECT_EQ(further.exit_code, 143) << further.err;
+  EXPECT_THAT(further.err, HasSubstr("stopped: the same command goes on"));
 }
 
 // The processes of a cluster's tasks find the record at once, each by its own name of the folder.
