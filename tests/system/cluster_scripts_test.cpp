@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <fstream>
 #include <thread>
 
 #include "base/replaced.h"
@@ -33,6 +34,7 @@ fi
 exit $CODE
 )");
     write_program("scontrol", "echo \"scontrol $*\" >> \"$NOTES\"\n");
+    write_program("squeue", "cat \"$NOTES.state\"\n");
   }
 
   // The script of an engine in a file, for the other program.
@@ -50,6 +52,10 @@ exit $CODE
     return run_command({"bash", file}, with(environment));
   }
   std::string notes() const { return read_text(temp() / "notes"); }
+
+  void temp_write(const std::string& name, const std::string& text) const {
+    std::ofstream(temp() / name) << text;
+  }
 
   // Sends signals to the script of a Slurm task while its cases run.
   Outcome signalled(const std::string& file, const std::string& code,
@@ -77,8 +83,6 @@ TEST_F(ClusterScript, of_slurm_goes_back_into_the_queue_only_where_that_helps) {
   EXPECT_EQ(no_further.exit_code, 75);
   EXPECT_THAT(no_further.err, HasSubstr("task 1: no progress within --time: give more"));
   EXPECT_THAT(notes(), Not(HasSubstr("requeue")));
-  EXPECT_EQ(signalled(file, "143", {SIGTERM}).exit_code, 143);
-  EXPECT_THAT(notes(), Not(HasSubstr("requeue"))) << "scancel";
   EXPECT_EQ(signalled(file, "0", {SIGUSR1}).exit_code, 0);
   EXPECT_THAT(notes(), Not(HasSubstr("requeue"))) << "it was done";
 }
@@ -90,8 +94,23 @@ TEST_F(ClusterScript, of_slurm_goes_back_though_it_is_told_twice) {
 : > "$NOTES.waits"
 for i in $(seq 600); do sleep 0.1; done
 )");
+  temp_write("notes.state", "COMPLETING TimeLimit\n");
   EXPECT_EQ(signalled(file, "143", {SIGUSR1, SIGTERM}).exit_code, 143);
   EXPECT_THAT(notes(), HasSubstr("scontrol requeue 7_1"));
+}
+
+// The words are those of Slurm 22.05.
+TEST_F(ClusterScript, of_slurm_knows_why_it_is_ended) {
+  const std::string file = script("slurm");
+  const auto goes_back = [&](const std::string& state, const std::vector<int>& signals) {
+    temp_write("notes.state", state);
+    EXPECT_EQ(signalled(file, "143", signals).exit_code, 143);
+    return notes().find("scontrol requeue 7_1") != std::string::npos;
+  };
+  EXPECT_FALSE(goes_back("COMPLETING None\n", {SIGTERM})) << "scancel";
+  EXPECT_FALSE(goes_back("COMPLETING None\n", {SIGUSR1, SIGTERM})) << "scancel near its end";
+  EXPECT_TRUE(goes_back("RUNNING None\n", {SIGTERM})) << "preemption";
+  EXPECT_FALSE(goes_back("", {SIGTERM})) << "squeue does not answer";
 }
 
 TEST_F(ClusterScript, can_be_told_before_its_cases_run) {
