@@ -179,7 +179,7 @@ Words jobs_in_queue(const Words& jobs) {
   if (jobs.empty()) return queued;
   const ProgramOutput answer = program_output(
       {"squeue", "--noheader", "--format=%F", fmt::format("--jobs={}", fmt::join(jobs, ","))});
-  // So it says where a single job is long gone.
+  // The answer where a single job is long gone.
   const bool is_gone = answer.text.find("Invalid job id") != std::string::npos;
   if (!answer.is_success() && !is_gone) {
     const std::string words = answer.text.empty() ? "it cannot be run" : answer.text;

@@ -202,7 +202,7 @@ TEST_F(Cluster, sends_nothing_where_the_queue_is_not_known) {
   EXPECT_THAT(down.err, HasSubstr("squeue does not say whether jobs 101 102 of this study still "
                                   "wait or run: the controller is down"));
   EXPECT_EQ(count_of(asked(), "sbatch"), 2);
-  // So squeue answers to a job that it has forgotten.
+  // The answer to a job that squeue has forgotten.
   const Outcome gone = sweep({"--slurm"}, slurm({"SQUEUE_CODE=1", "RUNS_NOTHING=1",
                                                  "QUEUED=slurm_load_jobs error: Invalid job id "
                                                  "specified"}));

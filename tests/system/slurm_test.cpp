@@ -144,6 +144,21 @@ TEST_F(RealSlurm, ends_what_is_cancelled) {
   EXPECT_EQ(end_of(sent["gather"]), "COMPLETED") << "of no case";
 }
 
+TEST_F(RealSlurm, goes_on_after_another_job_took_its_place) {
+  write_long_study("1.9");
+  const json sent = send({"-j", "2"});
+  const std::string task = sent["arrays"][0].get<std::string>() + "_1";
+  ASSERT_TRUE(comes_true([&] { return is_driving(1); }, 5 * minutes)) << slurm_->logs();
+  slurm_->ask({"sbatch", "--partition=urgent", "--cpus-per-task=2", "--output=/dev/null",
+               "--wrap=sleep 1"});
+  ASSERT_TRUE(comes_to("PENDING", task)) << slurm_->logs();
+  const json part = json::parse(read_text(folder() / "sent/cases/000001.part/summary.json"));
+  EXPECT_GT(part["sim_s"], 0) << "it has stopped at a checkpoint";
+  update(task, {"StartTime=now+15"});
+  EXPECT_EQ(end_of(task), "COMPLETED");
+  EXPECT_EQ(end_of(sent["gather"]), "COMPLETED");
+}
+
 // As somebody does who has only the printed script.
 TEST_F(RealSlurm, takes_the_printed_script) {
   const Outcome script =
