@@ -13,17 +13,17 @@
 #SBATCH {{directive}}
 # Memory is asked for by --directive=--mem=4G.
 
-# USR1 comes when the task's time is nearly over: its cases then write checkpoints, and it goes back
-# into the queue. TERM comes at the end of that time; to a task that runs, as another job is to have
-# its place (preemption); and by scancel, after which the task does not go back.
+# USR1 comes when the task's time is nearly over, or another job is to have its place: its cases then
+# write checkpoints, and it goes back into the queue. TERM comes at the end of that time, too, and by
+# scancel, after which the task does not go back.
 run='' told='' requeue=''
 stop() {
   told=yes
   if [ -n "$run" ]; then kill -TERM "$run"; fi
 }
 ask_why() {
-  case $(squeue --noheader --format='%T %r' --jobs="${SLURM_ARRAY_JOB_ID}_$SLURM_ARRAY_TASK_ID") in
-    'RUNNING '* | *' TimeLimit') requeue=yes ;;
+  case $(squeue --noheader --format=%r --jobs="${SLURM_ARRAY_JOB_ID}_$SLURM_ARRAY_TASK_ID") in
+    TimeLimit) requeue=yes ;;
     ?*) requeue='' ;;
   esac
 }

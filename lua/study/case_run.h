@@ -21,8 +21,10 @@ enum class CaseEnd {
 
 // Runs a case to its end, or goes on with it where another process was stopped or killed. The case
 // is made in a folder NNNNNN.part, which is renamed once all is in it. `threads`: of this case.
+// `wait_s`: how long it waits for another process to leave the case; one that was just killed may
+// have left a process behind that writes its last checkpoint.
 CaseEnd run_case(const StudyFiles& files, std::int64_t number, const std::string& study_folder,
-                 int threads);
+                 int threads, int wait_s = 10);
 
 bool is_done(const std::string& study_folder, std::int64_t number);
 

@@ -137,9 +137,11 @@ int sweep(const SweepOptions& options) {
   const int threads =
       options.threads > 0 ? options.threads : std::max(1, static_cast<int>(processors() / jobs));
   SweepNews news(folder, sweep_state(folder, needed()), jobs, options.is_quiet);
+  // A machine that has failed holds a case on NFS for 90 s after its task runs on another one.
+  const int wait_s = options.verb == "run" ? 120 : 10;
   Pool pool(jobs, [&](std::int64_t number) {
     catch_stop_signals();
-    return static_cast<int>(run_case(files, number, folder, threads));
+    return static_cast<int>(run_case(files, number, folder, threads, wait_s));
   });
   bool has_progress = false;
   const int signal = pool.run(

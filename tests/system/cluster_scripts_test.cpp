@@ -94,7 +94,7 @@ TEST_F(ClusterScript, of_slurm_goes_back_though_it_is_told_twice) {
 : > "$NOTES.waits"
 for i in $(seq 600); do sleep 0.1; done
 )");
-  temp_write("notes.state", "COMPLETING TimeLimit\n");
+  temp_write("notes.state", "TimeLimit\n");
   EXPECT_EQ(signalled(file, "143", {SIGUSR1, SIGTERM}).exit_code, 143);
   EXPECT_THAT(notes(), HasSubstr("scontrol requeue 7_1"));
 }
@@ -107,9 +107,9 @@ TEST_F(ClusterScript, of_slurm_knows_why_it_is_ended) {
     EXPECT_EQ(signalled(file, "143", signals).exit_code, 143);
     return notes().find("scontrol requeue 7_1") != std::string::npos;
   };
-  EXPECT_FALSE(goes_back("COMPLETING None\n", {SIGTERM})) << "scancel";
-  EXPECT_FALSE(goes_back("COMPLETING None\n", {SIGUSR1, SIGTERM})) << "scancel near its end";
-  EXPECT_TRUE(goes_back("RUNNING None\n", {SIGTERM})) << "preemption";
+  EXPECT_FALSE(goes_back("None\n", {SIGTERM})) << "scancel";
+  EXPECT_FALSE(goes_back("None\n", {SIGUSR1, SIGTERM})) << "scancel near its end";
+  EXPECT_TRUE(goes_back("TimeLimit\n", {SIGTERM})) << "its time is over";
   EXPECT_FALSE(goes_back("", {SIGTERM})) << "squeue does not answer";
 }
 

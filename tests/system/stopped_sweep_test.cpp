@@ -42,6 +42,8 @@ class StoppedSweep : public ::testing::Test {
     std::this_thread::sleep_for(std::chrono::milliseconds(600));
   }
 
+  static void pause_ms(int time) { std::this_thread::sleep_for(std::chrono::milliseconds(time)); }
+
   TempFolder folder_;
 };
 
@@ -109,6 +111,29 @@ TEST_F(StoppedSweep, stops_at_a_checkpoint_however_often_it_is_told) {
   EXPECT_EQ(stopped.exit_code, 143) << stopped.err;
   const json part = json::parse(read_text(folder_ / "out/cases/000001.part/summary.json"));
   EXPECT_GT(part["sim_s"], 0) << "it stopped at a checkpoint";
+}
+
+// A case that another process has is waited for, but no longer than the task may.
+TEST_F(StoppedSweep, does_not_wait_for_others) {
+  write(long_drive(),
+        study_text("cases = 1,", "lsos.vary { of = 'MissionInfo.Seed', list = { 1, 2 } },"));
+  const std::string lock = folder_ / "out/cases/000001.lock";
+  fs::create_directories(folder_ / "out/cases");
+  Process other({"flock", lock, "sleep", "60"});
+  for (int i = 0; i < 1000 && !fs::exists(lock); ++i) pause_ms(10);
+  Process sweeping(program({"sweep", "run", "study.lua", "-o", "out", "--quiet"}),
+                   {.folder = folder_.path()});
+  const std::string id = std::to_string(sweeping.id());
+  pid_t child = 0;
+  for (int i = 0; i < 1000 && !heeds(child, SIGHUP); ++i) {
+    pause_ms(10);
+    std::ifstream("/proc/" + id + "/task/" + id + "/children") >> child;
+  }
+  const auto begin = std::chrono::steady_clock::now();
+  sweeping.signal(SIGTERM);
+  EXPECT_EQ(sweeping.wait().exit_code, 75);
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5));
+  EXPECT_FALSE(fs::exists(folder_ / "out/cases/000001.part"));
 }
 
 }  // namespace
