@@ -75,7 +75,7 @@ MaxArraySize=)" + std::to_string(array_size_max) +
 NodeName=)" + name + R"( NodeAddr=127.0.0.1 CPUs=2 State=UNKNOWN
 PreemptType=preempt/partition_prio
 PreemptMode=CANCEL
-PreemptParameters=send_user_signal
+SlurmctldParameters=preempt_send_user_signal
 PartitionName=main Nodes=ALL Default=YES MaxTime=INFINITE State=UP PriorityTier=1 GraceTime=60
 PartitionName=urgent Nodes=ALL MaxTime=INFINITE State=UP PriorityTier=2
 )";
