@@ -73,6 +73,16 @@ TEST_F(Cluster, heads_of_scripts_say_what_tasks_are_given) {
   EXPECT_THAT(read_text(printed("sge", {"--limit", "3"})), HasSubstr("-t 1-1 -tc 3 job.sh"));
 }
 
+// Torque takes no more.
+TEST_F(Cluster, jobs_have_names_of_fifteen_characters_where_that_is_wanted) {
+  write("a study of a long name.lua", read_text(folder() / "my study.lua"));
+  const auto script = [&](const char* engine) {
+    return run({"sweep", "a study of a long name.lua", "--print", engine}, here()).out;
+  };
+  EXPECT_THAT(script("pbs"), HasSubstr("#PBS -N a_study_of_a_lo\n"));
+  EXPECT_THAT(script("slurm"), HasSubstr("#SBATCH --job-name=a_study_of_a_long_name\n"));
+}
+
 TEST_F(Cluster, scripts_have_the_names_that_their_user_sees) {
   fs::create_directory_symlink(folder(), temp() / "link");
   const std::string link = temp() / "link";
