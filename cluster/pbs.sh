@@ -1,6 +1,6 @@
 #!/bin/bash
 # Study {{name}} for OpenPBS (cases: {{case_count}}, tasks: {{task_count}}). Torque has -t for -J,
-# and nodes=1:ppn= for select=1:ncpus=. Sent by
+# nodes=1:ppn= for select=1:ncpus=, and depend=afteranyarray: for depend=afterany:. Sent by
 #
 #   job=$(qsub -J {{array}} job.sh)
 #   qsub -W depend=afterany:"$job" job.sh
@@ -15,6 +15,7 @@
 #PBS -l walltime={{time}}
 #PBS -q {{partition}}
 #PBS {{directive}}
+# Memory is asked for by '--directive=-l mem=4gb'.
 
 cd {{folder}} || exit
 export {{environment}}
@@ -34,4 +35,6 @@ if [ -z "$cases" ]; then exit 0; fi
 # PBS leaves seconds between TERM and KILL; checkpoints have longer.
 before_the_end=()
 before_the_end=(timeout {{working_s}})
-exec "${before_the_end[@]}" {{run}} --cases "$cases"
+retry=()
+retry=({{retry}})
+exec "${before_the_end[@]}" {{run}} --cases "$cases" "${retry[@]}"

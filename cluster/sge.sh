@@ -9,10 +9,12 @@
 #$ -cwd
 #$ -j y
 #$ -r y
+# A site has its own names of parallel environments: qconf -spl lists them.
 #$ -pe smp {{slots}}
 #$ -l h_rt={{time_s}}
 #$ -q {{partition}}
 #$ {{directive}}
+# Memory is asked for by '--directive=-l h_vmem=4G', for each slot.
 
 cd {{folder}} || exit
 export {{environment}}
@@ -26,13 +28,22 @@ cases=$(sed -n "${SGE_TASK_ID}p" <<'TASKS'
 {{task}}
 TASKS
 )
-if [ -z "$cases" ]; then exit 0; fi
+if [ -z "$cases" ]; then
+  echo "task $SGE_TASK_ID: this script has no such task" >&2
+  exit 2
+fi
+
+# Those that could not be run are tried again, but not each time that the task starts.
+retry=()
+retry=({{retry}})
+if [ "${RESTARTED:-0}" != 0 ]; then retry=(); fi
 
 # A task whose time is nearly over writes checkpoints, and exit code 99 puts it back into the queue.
 # (The signal of s_rt comes only the first time that a task runs.)
 before_the_end=()
-before_the_end=(timeout {{working_s}})
-"${before_the_end[@]}" {{run}} --cases "$cases"
+before_the_end=(timeout --preserve-status {{working_s}})
+"${before_the_end[@]}" {{run}} --cases "$cases" "${retry[@]}"
 code=$?
-if [ "$code" -eq 124 ]; then exit 99; fi
+if [ "$code" -eq 75 ]; then echo "task $SGE_TASK_ID: no progress within --time: give more" >&2; fi
+if [ "$code" -eq 143 ]; then exit 99; fi
 exit "$code"

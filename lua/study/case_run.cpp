@@ -5,6 +5,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -14,6 +15,7 @@
 #include "base/files.h"
 #include "base/output_error.h"
 #include "base/replaced.h"
+#include "base/stop_signal.h"
 #include "lua/app/run_options.h"
 #include "lua/app/run_to_end.h"
 #include "lua/study/case_values.h"
@@ -31,11 +33,11 @@ namespace fs = std::filesystem;
 // Keeps other processes out of a case. The file is removed with the lock.
 class CaseLock {
  public:
-  explicit CaseLock(const std::string& file) : file_(file) {
-    // A process that was just killed may leave one behind that writes its last checkpoint.
-    constexpr int tries = 100;
-    for (int i = 0; i < tries && !is_held(); ++i) {
-      if (i > 0) std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  CaseLock(const std::string& file, int wait_s) : file_(file) {
+    constexpr int tries_a_second = 10;
+    for (int i = 0; i < wait_s * tries_a_second && !is_held(); ++i) {
+      if (i > 0) std::this_thread::sleep_for(std::chrono::milliseconds(1000 / tries_a_second));
+      if (stop_signal() != 0) return;
       take();
     }
   }
@@ -88,6 +90,21 @@ bool has_ended(const std::string& folder) {
   } catch (const InputError&) {
     return false;
   }
+}
+
+// The time up to which a stopped run need not be repeated. A run's first checkpoint is its start.
+SimTime reached(const std::string& folder) {
+  if (has_ended(folder)) return SimTime::max();
+  SimTime last{};
+  if (!fs::exists(folder + "/log.gpkg")) return last;
+  try {
+    for (const CheckpointEntry& entry : LogReader(folder + "/log.gpkg").checkpoints()) {
+      last = std::max(last, entry.time);
+    }
+  } catch (const InputError&) {
+    // It was killed before its first checkpoint.
+  }
+  return last;
 }
 
 CaseRecord record_of(const StudyFiles& files, std::int64_t number) {
@@ -198,15 +215,16 @@ std::vector<std::int64_t> open_cases(std::vector<std::int64_t> numbers,
 }
 
 CaseEnd run_case(const StudyFiles& files, std::int64_t number, const std::string& study_folder,
-                 int threads) {
-  const CaseLock lock(case_folder(study_folder, number) + ".lock");
+                 int threads, int wait_s) {
+  const CaseLock lock(case_folder(study_folder, number) + ".lock", wait_s);
   if (!lock.is_held()) return CaseEnd::elsewhere;
   if (is_done(study_folder, number)) return CaseEnd::done;
   const double before_s = cpu_s();
   const std::string folder = part_folder(study_folder, number);
   try {
+    const SimTime before = reached(folder);
     const int code = run_mission(files, number, folder, threads);
-    if (code > 128) return CaseEnd::stopped;
+    if (code > 128) return reached(folder) > before ? CaseEnd::stopped : CaseEnd::no_further;
     finish(files, number, study_folder, before_s);
     return CaseEnd::done;
   } catch (const OutputError& error) {

@@ -4,16 +4,19 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "base/child_process.h"
 #include "base/console.h"
 #include "base/error.h"
+#include "base/file_lock.h"
 #include "base/files.h"
 #include "lua/study/case_run.h"
 #include "lua/study/job_script.h"
 #include "lua/study/slurm.h"
 #include "lua/study/study_record.h"
+#include "product/study/case_record.h"
 #include "study/case_list.h"
 #include "study/shell_word.h"
 
@@ -27,16 +30,20 @@ using Words = std::vector<std::string>;
 
 constexpr const char* jobs_file = "jobs.json";
 
-// Cases in tasks of as many as are wanted, or of more where there may not be so many tasks.
+// Cases in tasks of as many as are wanted, or of more where there may not be so many jobs, of which
+// one gathers.
 JobTasks tasks_of(const std::vector<std::int64_t>& numbers, const ClusterOptions& options,
-                  const std::optional<std::int64_t>& tasks_max) {
+                  const std::optional<std::int64_t>& submit_more) {
   const auto count = static_cast<std::int64_t>(numbers.size());
   const std::int64_t wanted = options.chunk > 0 ? options.chunk : default_chunk;
   std::int64_t chunk = wanted;
-  if (tasks_max) chunk = std::max(chunk, (count + *tasks_max - 1) / *tasks_max);
-  if (chunk > wanted && (count + wanted - 1) / wanted > *tasks_max) {
+  if (submit_more) {
+    const std::int64_t tasks_max = std::max<std::int64_t>(1, *submit_more - 1);
+    chunk = std::max(chunk, (count + tasks_max - 1) / tasks_max);
+  }
+  if (chunk > wanted) {
     print_message("tasks have {} cases in place of {}, as this user may send {} more jobs\n", chunk,
-                  wanted, *tasks_max + 1);
+                  wanted, *submit_more);
   }
   return {case_chunks(numbers, static_cast<std::size_t>(chunk)), count};
 }
@@ -51,7 +58,8 @@ Words submit_lines(const std::vector<TaskArray>& arrays, int limit) {
     lines.push_back(
         fmt::format("job{}=$(sbatch --parsable {})", jobs.size() + 1,
                     line(array_words(array, limit, jobs), std::to_string(array.before))));
-    jobs.push_back(fmt::format("$job{}", jobs.size() + 1));
+    // Where there are several clusters sbatch says "NUMBER;CLUSTER".
+    jobs.push_back(fmt::format("${{job{}%%;*}}", jobs.size() + 1));
   }
   lines.push_back("sbatch " + line(gather_words(jobs), "gather"));
   return lines;
@@ -60,7 +68,8 @@ Words submit_lines(const std::vector<TaskArray>& arrays, int limit) {
 std::vector<TaskArray> arrays_for(const JobTasks& tasks, const SlurmLimits& limits) {
   if (limits.array_tasks < 1) {
     throw InputError({},
-                     "this Slurm has no job arrays (MaxArraySize); --print parallel prints a "
+                     "this Slurm has no job arrays (MaxArraySize, max_array_tasks); --print "
+                     "parallel prints a "
                      "script that runs all tasks in one job");
   }
   return task_arrays(static_cast<std::int64_t>(tasks.cases.size()), limits.array_tasks);
@@ -88,16 +97,15 @@ bool tell_if_none(const std::vector<std::int64_t>& missing, const std::string& f
   return true;
 }
 
-void print_sent(const SlurmJobs& jobs, const JobTasks& tasks, const std::string& folder,
-                bool is_json) {
-  if (is_json) {
-    const Json answer{{"cases", tasks.case_count},
-                      {"tasks", tasks.cases.size()},
-                      {"arrays", jobs.arrays},
-                      {"gather", jobs.gather}};
-    print_result("{}\n", answer.dump(2));
-    return;
-  }
+void print_json(const SlurmJobs& jobs, const JobTasks& tasks) {
+  const Json answer{{"cases", tasks.case_count},
+                    {"tasks", tasks.cases.size()},
+                    {"arrays", jobs.arrays},
+                    {"gather", jobs.gather.empty() ? Json() : Json(jobs.gather)}};
+  print_result("{}\n", answer.dump(2));
+}
+
+void print_sent(const SlurmJobs& jobs, const JobTasks& tasks, const std::string& folder) {
   const auto count = [](std::int64_t number, const char* what) {
     return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
   };
@@ -117,11 +125,10 @@ int print_job_script(const StudyFiles& files, const std::vector<std::int64_t>& n
   const auto missing = open_cases(numbers, folder, !options.retry.empty());
   if (tell_if_none(missing, folder)) return 0;
   const std::string& engine = options.cluster.print;
-  std::optional<std::int64_t> tasks_max;
   SlurmLimits limits;
   if (engine == "slurm") limits = slurm_limits();
-  if (limits.submit_more) tasks_max = std::max<std::int64_t>(1, *limits.submit_more - 1);
-  JobTasks tasks = tasks_of(missing, options.cluster, tasks_max);
+  JobTasks tasks = tasks_of(missing, options.cluster, limits.submit_more);
+  tasks.retry = options.retry;
   if (engine == "slurm") {
     tasks.submit = submit_lines(arrays_for(tasks, limits), options.cluster.limit);
   }
@@ -143,28 +150,38 @@ int send_to_slurm(const StudyFiles& files, const std::vector<std::int64_t>& numb
                      "names another");
   }
   open_study_folder(files, folder);
+  fs::create_directories(own);
+  const std::string lock_file = own + "/.lsos-host.lock";
+  std::ofstream(lock_file, std::ios::app).close();
+  const FileLock lock(lock_file);  // until the jobs are noted, for a second call to see them
   refuse_queued(own);
   const auto missing = open_cases(numbers, folder, !options.retry.empty());
-  if (tell_if_none(missing, folder)) return 0;
+  if (tell_if_none(missing, folder)) {
+    if (options.is_json) print_json({}, {});
+    return 0;
+  }
   const SlurmLimits limits = slurm_limits();
-  std::optional<std::int64_t> tasks_max;
-  if (limits.submit_more) tasks_max = *limits.submit_more - 1;  // one gathers
-  if (tasks_max && *tasks_max < 1) {
+  if (limits.submit_more && *limits.submit_more < 2) {  // one gathers
     throw InputError({}, fmt::format("--slurm: this user may send {} more jobs (MaxSubmitJobs), "
                                      "and 2 at least are wanted",
                                      *limits.submit_more));
   }
-  JobTasks tasks = tasks_of(missing, options.cluster, tasks_max);
+  JobTasks tasks = tasks_of(missing, options.cluster, limits.submit_more);
   const std::vector<TaskArray> arrays = arrays_for(tasks, limits);
   tasks.submit = submit_lines(arrays, options.cluster.limit);
   const std::string script = own + "/job.sh";
   const std::string text = job_script("slurm", files, folder, options, tasks);
-  fs::create_directories(own);
   write_file(script, text);
+  // Those that could not be run are tried again by this call, but not each time that a task starts.
+  for (const std::int64_t number : missing) fs::remove(not_run_file(folder, number));
   const SlurmJobs jobs = send_jobs(
       script, arrays, options.cluster.limit, own,
       [&](const SlurmJobs& sent) { write_file(own + "/" + jobs_file, Json(sent.all()).dump()); });
-  print_sent(jobs, tasks, own, options.is_json);
+  if (options.is_json) {
+    print_json(jobs, tasks);
+  } else {
+    print_sent(jobs, tasks, own);
+  }
   return 0;
 }
 

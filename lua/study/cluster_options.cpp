@@ -45,7 +45,7 @@ void check_cluster_options(const ClusterOptions& options) {
   if (!options.time.empty() && !time_limit_s(options.time)) {
     refuse_option(
         "--time", options.time,
-        "a minute or more is wanted, as in 90 (minutes), 1:30:00 or 2-12:00:00 (days-hours)");
+        "five minutes or more are wanted, as in 90 (minutes), 1:30:00 or 2-12:00:00 (days-hours)");
   }
   static const std::regex name(R"([A-Za-z0-9_][A-Za-z0-9_.,@:+-]*)");
   if (!options.partition.empty() && !std::regex_match(options.partition, name)) {
@@ -74,7 +74,7 @@ std::optional<std::int64_t> time_limit_s(const std::string& text) {
     const std::string part = match[i + 1].str();
     all_s += part.empty() ? 0 : unit_s[i] * std::stoll(part);
   }
-  if (all_s < 60) return {};
+  if (all_s < time_min_s) return {};
   return all_s;
 }
 

@@ -25,8 +25,11 @@ inline constexpr int default_chunk = 20;
 // Throws InputError where an option is wrong, or has no use as no script is wanted.
 void check_cluster_options(const ClusterOptions& options);
 
+// Less time would hardly do more than write checkpoints: a task is told to stop two minutes before
+// its end, by Slurm up to a minute earlier (`man sbatch`, --signal).
+inline constexpr std::int64_t time_min_s = 300;
 // Seconds of "90" (minutes), "90:30", "1:30:00", "2-12", "2-12:30" or "2-12:30:00"; absent where it
-// is neither, or less than a minute.
+// is neither, or less than time_min_s.
 std::optional<std::int64_t> time_limit_s(const std::string& text);
 
 }  // namespace lsos

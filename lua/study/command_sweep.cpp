@@ -69,7 +69,8 @@ std::function<int()> prepare_sweep(CommandOptions& command) {
       .add_option("-j,--jobs", options->jobs,
                   "Cases at a time (processors; 1 in a task of a cluster)")
       .between(1, 4096);
-  command.add_option("--cases", options->cases, "run: only these, as 40-59 or 3,7,12-15");
+  command.add_option("--cases", options->cases,
+                     "Only these, as 40-59 or 3,7,12-15; with run, --slurm and --print, too");
   command.add_option("--retry", options->retry, "failed: also the cases that could not be run")
       .one_of({"failed"});
   command

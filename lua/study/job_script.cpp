@@ -52,15 +52,16 @@ std::string template_file(const Engine& engine) {
   return shipped_scripts() + "/cluster/" + engine.file;
 }
 
-// What a batch system takes as the name of a job: letters first, no other characters than these.
-std::string job_name(const std::string& name) {
+// What a batch system takes as the name of a job: a letter first, no other characters than these.
+std::string job_name(const Engine& engine, const std::string& name) {
+  const std::size_t length_max = engine.name == "pbs" ? 15 : std::string::npos;
   constexpr std::string_view letters =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_";
   std::string plain = name;
   std::ranges::replace_if(
       plain, [&](char c) { return letters.find(c) == std::string_view::npos; }, '_');
   const bool has_letter = letters.substr(0, 52).find(plain[0]) != std::string_view::npos;
-  return has_letter ? plain : "s" + plain;
+  return (has_letter ? plain : "s" + plain).substr(0, length_max);
 }
 
 // Whether a shell takes it as the name of a variable.
@@ -115,10 +116,25 @@ std::string shell_assignment(const std::string& variable) {
   return variable.substr(0, equal + 1) + shell_word(variable.substr(equal + 1));
 }
 
-// Time in which a stopped case can write its checkpoint; less of a short limit.
-std::int64_t warning_s(std::int64_t limit_s) {
-  constexpr std::int64_t wanted_s = 120, share = 5;
-  return limit_s == 0 ? wanted_s : std::min(wanted_s, limit_s / share);
+// Time in which a stopped case can write its checkpoint.
+constexpr std::int64_t warning_s = 120;
+static_assert(2 * warning_s < time_min_s);
+
+// A submit file has no quotes around these.
+void refuse_for_condor(const std::string& file) {
+  constexpr std::string_view blanks = " \t";
+  const auto is_blank = [&](char c) { return blanks.find(c) != std::string_view::npos; };
+  if (file.back() != '\\' && !is_blank(file.back())) return;
+  throw InputError({file},
+                   "its name ends in a backslash or a blank, and a submit file of HTCondor cannot "
+                   "hold such a name");
+}
+
+// What sets a shell's folder and variables for the command after it.
+std::string surroundings_command() {
+  Words words{"env"};
+  std::ranges::copy(carried_environment(), std::back_inserter(words));
+  return fmt::format("cd {} && {} ", shell_word(working_folder()), shell_command(words));
 }
 
 class ScriptValues {
@@ -150,7 +166,8 @@ void refuse_line_breaks(const TemplateValues& values) {
 }
 
 // An option without a gap in the template would be lost.
-void refuse_unused(const Engine& engine, const ClusterOptions& options, const std::string& text) {
+void refuse_unused(const Engine& engine, const ClusterOptions& options, const std::string& retry,
+                   const std::string& text) {
   const auto check = [&](bool is_given, const char* option,
                          std::initializer_list<const char*> names) {
     const bool is_used = std::ranges::any_of(names, [&](const char* name) {
@@ -163,10 +180,11 @@ void refuse_unused(const Engine& engine, const ClusterOptions& options, const st
   check(!options.time.empty(), "--time", {"time", "time_s", "working_s"});
   check(!options.partition.empty(), "--partition", {"partition"});
   check(!options.directives.empty(), "--directive", {"directive"});
+  check(!retry.empty(), "--retry", {"retry", "arguments"});
 }
 
 void add_commands(const Engine& engine, const StudyFiles& files, const std::string& folder,
-                  const SweepOptions& options, ScriptValues& values) {
+                  const SweepOptions& options, const std::string& retry, ScriptValues& values) {
   const std::string program = fs::read_symlink("/proc/self/exe").string();
   const std::string study = path_from_root(files.study.file), output = path_from_root(folder);
   Words run{"sweep", "run", study, "-o", output, "--quiet"};
@@ -174,21 +192,26 @@ void add_commands(const Engine& engine, const StudyFiles& files, const std::stri
   const int jobs = std::max(1, options.jobs), threads = std::max(1, options.threads);
   run.insert(run.end(), {"-j", std::to_string(jobs), "--threads", std::to_string(threads)});
   gather.insert(gather.end(), {"--threads", std::to_string(jobs * threads)});
-  if (!options.retry.empty()) run.insert(run.end(), {"--retry", options.retry});
   for (Words* words : {&run, &gather}) {
     words->insert(words->end(), access_words().begin(), access_words().end());
   }
   values.add("processors", std::int64_t{jobs} * threads);
   values.add_if(jobs * threads > 1, "slots", std::to_string(jobs * threads));
   values.add("program", engine.has_shell ? shell_word(program) : condor_text(program));
-  values.add("arguments", engine.has_shell ? shell_command(run) : condor_words(run));
+  Words arguments = run;
+  const Words again{"--retry", retry};
+  if (!retry.empty()) arguments.insert(arguments.end(), again.begin(), again.end());
+  values.add("arguments", engine.has_shell ? shell_command(arguments) : condor_words(arguments));
+  values.add_if(!retry.empty(), "retry", shell_command(again));
   for (Words* words : {&run, &gather}) words->insert(words->begin(), program);
   values.add("run", shell_command(run));
-  values.add("gather", shell_command(gather));
+  // No script of a shell has set the surroundings of that of HTCondor.
+  values.add("gather", (engine.has_shell ? "" : surroundings_command()) + shell_command(gather));
 }
 
 void add_surroundings(const Engine& engine, ScriptValues& values) {
   const std::string folder = working_folder();
+  if (!engine.has_shell) refuse_for_condor(folder);
   values.add("folder", engine.has_shell ? shell_word(folder) : condor_text(folder));
   Words variables = carried_environment();
   if (engine.has_shell) {
@@ -203,9 +226,9 @@ void add_limits(const ClusterOptions& options, ScriptValues& values) {
   const std::int64_t limit_s = time_limit_s(options.time).value_or(0);
   const bool is_limited = limit_s > 0;
   const auto text = [](std::int64_t value) { return fmt::format("{}", value); };
-  values.add("warning_s", warning_s(limit_s));
+  values.add("warning_s", warning_s);
   values.add_if(is_limited, "time_s", text(limit_s));
-  values.add_if(is_limited, "working_s", text(limit_s - warning_s(limit_s)));
+  values.add_if(is_limited, "working_s", text(limit_s - warning_s));
   values.add_if(is_limited, "time",
                 fmt::format("{}:{:02}:{:02}", limit_s / 3600, limit_s / 60 % 60, limit_s % 60));
   values.add_if(options.limit > 0, "limit", text(options.limit));
@@ -235,9 +258,9 @@ std::string job_script(const std::string& engine_name, const StudyFiles& files,
   const std::string file = template_file(engine);
   const std::optional<std::string> text = read_file(file);
   if (!text) throw InputError({file}, "cannot be read; it is the template of the script");
-  refuse_unused(engine, options.cluster, *text);
+  refuse_unused(engine, options.cluster, tasks.retry, *text);
   ScriptValues values;
-  values.add("name", job_name(files.study.name));
+  values.add("name", job_name(engine, files.study.name));
   values.add("case_count", tasks.case_count);
   values.add("task_count", static_cast<std::int64_t>(tasks.cases.size()));
   // PBS knows no array of one task.
@@ -250,7 +273,7 @@ std::string job_script(const std::string& engine_name, const StudyFiles& files,
   values.add("array", limit > 0 ? fmt::format("{}{}{}", range, before_limit, limit) : range);
   values.add_all("submit", tasks.submit);
   values.add_all("task", tasks.cases);
-  add_commands(engine, files, folder, options, values);
+  add_commands(engine, files, folder, options, tasks.retry, values);
   add_surroundings(engine, values);
   add_limits(options.cluster, values);
   refuse_line_breaks(values.all());

@@ -18,6 +18,7 @@ struct JobTasks {
   std::vector<std::string> cases;
   std::int64_t case_count = 0;
   std::vector<std::string> submit = {};  // the commands that send the script
+  std::string retry = {};  // "failed": so the tasks are told, where that was not done for them
 };
 
 // A path from the root, by the name of the working folder that the user sees: what it is a link to

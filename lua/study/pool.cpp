@@ -38,6 +38,11 @@ void silence() {
 
 }  // namespace
 
+void note_signals_for_pool() {
+  std::signal(SIGINT, note_stop);
+  std::signal(SIGTERM, note_stop);
+}
+
 void Pool::start(std::int64_t number) {
   const pid_t self = getpid();
   std::optional<ChildProcess> child = ChildProcess::fork();
@@ -63,8 +68,7 @@ void Pool::start(std::int64_t number) {
 
 int Pool::run(const std::vector<std::int64_t>& numbers, const Ended& on_end,
               const std::function<void()>& on_turn) {
-  std::signal(SIGINT, note_stop);
-  std::signal(SIGTERM, note_stop);
+  note_signals_for_pool();
   std::signal(SIGCHLD, note_child);
   std::size_t next = 0;
   bool is_stopping = false;

@@ -12,6 +12,10 @@
 
 namespace lsos {
 
+// From now on a first SIGINT or SIGTERM is noted for the pool, which then begins nothing. For a
+// program that a batch system may stop while it still reads.
+void note_signals_for_pool();
+
 class Pool {
  public:
   // What a process does with a case; what it returns is its exit code.

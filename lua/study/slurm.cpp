@@ -38,6 +38,15 @@ std::optional<std::int64_t> configured(const std::string& config, const std::str
   return {};
 }
 
+// The limit of a site on the tasks of an array, among its SchedulerParameters.
+std::optional<std::int64_t> max_array_tasks(const std::string& config) {
+  static const std::regex pattern(
+      R"((?:^|\n)\s*SchedulerParameters\s*=(?:.*,)?\s*max_array_tasks=(\d{1,9})(?!\d))");
+  std::smatch match;
+  if (!std::regex_search(config, match, pattern)) return {};
+  return std::stoll(match[1].str());
+}
+
 // The least limit of the user's accounts.
 std::optional<std::int64_t> submit_max(const std::string& user) {
   const ProgramOutput answer =
@@ -56,12 +65,16 @@ std::int64_t count_queued(const std::string& user) {
   const ProgramOutput answer =
       program_output({"squeue", "--noheader", "--array", "--user=" + user, "--format=%i"});
   if (!answer.is_success()) return 0;
-  return static_cast<std::int64_t>(lines_of(answer.text).size());
+  // Warnings may stand among them.
+  return std::ranges::count_if(lines_of(answer.text), [](const std::string& line) {
+    return !line.empty() && line[0] >= '0' && line[0] <= '9';
+  });
 }
 
 // The number in what `sbatch --parsable` prints, "123" or "123;CLUSTER", among a site's own words.
+// Where a site's sbatch does not know the option: "Submitted batch job 123".
 std::optional<std::string> job_in(const std::string& text) {
-  static const std::regex pattern(R"((\d+)(;.*)?)");
+  static const std::regex pattern(R"((?:Submitted batch job )?(\d+)(?:;.*| on cluster .*)?)");
   for (const std::string& line : lines_of(text)) {
     std::smatch match;
     if (std::regex_match(line, match, pattern)) return match[1].str();
@@ -69,28 +82,33 @@ std::optional<std::string> job_in(const std::string& text) {
   return {};
 }
 
+// Takes the jobs out of the queue. Returns how that is to be done where it fails, else "".
+std::string take_back(const Words& sent) {
+  if (sent.empty()) return "";
+  Words cancel{"scancel"};
+  cancel.insert(cancel.end(), sent.begin(), sent.end());
+  if (program_output(cancel).is_success()) return "";
+  return fmt::format("; what is in the queue already goes by 'scancel {}'", fmt::join(sent, " "));
+}
+
 [[noreturn]] void refuse_job(const std::string& words, const Words& sent) {
-  std::string left = "; nothing is in the queue";
-  if (!sent.empty()) {
-    Words cancel{"scancel"};
-    cancel.insert(cancel.end(), sent.begin(), sent.end());
-    if (!program_output(cancel).is_success()) {
-      left =
-          fmt::format("; what is in the queue already goes by 'scancel {}'", fmt::join(sent, " "));
-    }
-  }
+  const std::string left = take_back(sent);
   // AssocMaxSubmitJobLimit, QOSMaxSubmitJobPerUserLimit, ...
-  const bool is_limit = words.find("Limit") != std::string::npos;
-  throw InputError({}, fmt::format("sbatch has refused a job: {}{}{}", words, left,
-                                   is_limit ? "; fewer tasks of more cases: --chunk" : ""));
+  const bool is_limit = words.find("Submit") != std::string::npos;
+  throw InputError(
+      {}, fmt::format("sbatch has refused a job: {}{}{}", words.empty() ? "it says nothing" : words,
+                      left.empty() ? "; nothing is in the queue" : left,
+                      is_limit ? "; fewer tasks of more cases: --chunk" : ""));
 }
 
 std::string send(Words words, const Words& sent) {
   words.insert(words.begin(), {"sbatch", "--parsable"});
   const ProgramOutput answer = program_output(words);
-  const std::optional<std::string> job = answer.is_success() ? job_in(answer.text) : std::nullopt;
-  if (!job) refuse_job(answer.text.empty() ? "it says nothing" : answer.text, sent);
-  return *job;
+  if (!answer.is_success()) refuse_job(answer.text, sent);
+  if (const std::optional<std::string> job = job_in(answer.text)) return *job;
+  throw InputError({}, fmt::format("sbatch has sent a job and given an answer without its number: "
+                                   "'{}'; 'squeue --me' shows the job, and scancel ends it{}",
+                                   answer.text, take_back(sent)));
 }
 
 }  // namespace
@@ -100,6 +118,9 @@ SlurmLimits slurm_limits() {
   const ProgramOutput config = program_output({"scontrol", "show", "config"});
   if (!config.is_success()) return limits;
   if (const auto size = configured(config.text, "MaxArraySize")) limits.array_tasks = *size - 1;
+  if (const auto most = max_array_tasks(config.text)) {
+    limits.array_tasks = std::min(limits.array_tasks, *most);
+  }
   const std::string user = user_name();
   if (const auto most = submit_max(user)) {
     limits.submit_more = std::max<std::int64_t>(0, *most - count_queued(user));
@@ -158,6 +179,16 @@ Words jobs_in_queue(const Words& jobs) {
   if (jobs.empty()) return queued;
   const ProgramOutput answer = program_output(
       {"squeue", "--noheader", "--format=%F", fmt::format("--jobs={}", fmt::join(jobs, ","))});
+  // The answer where a single job is long gone.
+  const bool is_gone = answer.text.find("Invalid job id") != std::string::npos;
+  if (!answer.is_success() && !is_gone) {
+    const std::string words = answer.text.empty() ? "it cannot be run" : answer.text;
+    throw InputError({},
+                     fmt::format("squeue does not say whether job{} {} of this study still "
+                                 "wait{} or run{}: {}",
+                                 jobs.size() > 1 ? "s" : "", fmt::join(jobs, " "),
+                                 jobs.size() > 1 ? "" : "s", jobs.size() > 1 ? "" : "s", words));
+  }
   for (const std::string& line : lines_of(answer.text)) {
     const std::string job(trimmed(line));
     const bool is_known = std::ranges::count(jobs, job) > 0;

@@ -11,7 +11,7 @@ namespace lsos {
 
 // What Slurm takes.
 struct SlurmLimits {
-  std::int64_t array_tasks = 1000;          // of one array: MaxArraySize - 1
+  std::int64_t array_tasks = 1000;          // of one array
   std::optional<std::int64_t> submit_more;  // jobs of this user, beside those in the queue
 };
 // Asks Slurm; where it does not answer, its own default. Without accounting there is no limit of
@@ -46,7 +46,8 @@ SlurmJobs send_jobs(const std::string& script, const std::vector<TaskArray>& arr
                     const std::string& folder,
                     const std::function<void(const SlurmJobs&)>& on_sent);
 
-// Those of the jobs that still wait or run.
+// Those of the jobs that still wait or run. Throws InputError in the words of squeue where it does
+// not know.
 std::vector<std::string> jobs_in_queue(const std::vector<std::string>& jobs);
 
 }  // namespace lsos

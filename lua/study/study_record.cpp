@@ -101,6 +101,17 @@ Json parts_json(const StudyFiles& files, const Parts& parts) {
           {"hashes", parts}};
 }
 
+// Whether two records are alike but for where their study's files are, which each process calls as
+// its user does, and when the study was over.
+bool are_alike(Json a, Json b) {
+  if (!a.is_object() || !b.is_object()) return false;
+  for (const char* key : {"study_file", "plan", "last_case"}) {
+    a.erase(key);
+    b.erase(key);
+  }
+  return a == b;
+}
+
 // Several processes of a cluster may write the same at once, on machines with the same numbers of
 // processes.
 void write_record(const std::string& folder, const Json& json) {
@@ -173,8 +184,11 @@ void open_study_folder(const StudyFiles& files, const std::string& folder) {
   }
   fs::create_directories(folder + "/cases", why);
   if (why) throw InputError({folder}, why.message());
-  const Json json = parts_json(files, parts);
-  if (json != record) write_record(folder, json);
+  Json json = parts_json(files, parts);
+  if (!are_alike(json, record)) {
+    if (record.contains("last_case")) json["last_case"] = record["last_case"];
+    write_record(folder, json);
+  }
   check_locks(folder);
 }
 
@@ -184,11 +198,13 @@ void check_study_folder(const StudyFiles& files, const std::string& folder) {
   refuse_changes(record, parts_of(files), folder);
 }
 
-void note_last_case(const std::string& folder, std::int64_t number) {
+void note_last_case(const std::string& folder, const std::optional<std::int64_t>& number) {
   Json record = record_in(folder);
-  if (record.is_null() || record.value("last_case", std::int64_t{0}) == number) return;
-  record["last_case"] = number;
-  write_record(folder, record);
+  if (record.is_null()) return;
+  const Json before = record;
+  record.erase("last_case");
+  if (number) record["last_case"] = *number;
+  if (record != before) write_record(folder, record);
 }
 
 std::int64_t cases_of_folder(const std::string& folder) {

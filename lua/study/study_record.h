@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "lua/study/study_files.h"
@@ -18,8 +19,8 @@ void open_study_folder(const StudyFiles& files, const std::string& folder);
 // The same for a folder that must be there.
 void check_study_folder(const StudyFiles& files, const std::string& folder);
 
-// Writes that the study knew enough after so many cases.
-void note_last_case(const std::string& folder, std::int64_t number);
+// Writes that the study knows enough after so many cases; absent: that it does not.
+void note_last_case(const std::string& folder, const std::optional<std::int64_t>& number);
 
 // The number of cases that the folder is to have. Throws InputError where it is no study's.
 std::int64_t cases_of_folder(const std::string& folder);

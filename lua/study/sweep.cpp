@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <csignal>
 #include <filesystem>
 #include <thread>
 
@@ -42,6 +43,17 @@ void tell_warnings(const StudyFiles& files) {
   for (const Fault& fault : files.base.faults.sorted()) print_message("{}\n", to_string(fault));
 }
 
+bool ends_as(const ChildProcess::Ending& ending, CaseEnd end) {
+  return ending.code == static_cast<int>(end);
+}
+
+// Whether less is left to do than before. One that cannot be run is not tried twice, unless each
+// run is told to.
+bool is_further(const ChildProcess::Ending& ending, const SweepOptions& options) {
+  return ends_as(ending, CaseEnd::done) || ends_as(ending, CaseEnd::stopped) ||
+         (ends_as(ending, CaseEnd::not_run) && options.retry.empty());
+}
+
 // What a sweep tells while it goes on.
 class SweepNews {
  public:
@@ -55,17 +67,16 @@ class SweepNews {
       return;
     }
     const auto mark = read_case_record(read_file(not_run_file(folder_, number)).value_or(""));
-    const bool is_stopped = ending.code == static_cast<int>(CaseEnd::stopped);
-    if (is_stopped) return;
+    if (ends_as(ending, CaseEnd::stopped) || ends_as(ending, CaseEnd::no_further)) return;
     ++state_.not_run;
     progress_.finish();
-    if (mark && ending.code == static_cast<int>(CaseEnd::machine)) {
+    if (mark && ends_as(ending, CaseEnd::machine)) {
       print_message("case {} was not finished: {}; the next sweep goes on with it\n", number,
                     mark->reason);
       fs::remove(not_run_file(folder_, number));
     } else if (mark) {
       print_message("case {} could not be run: {}\n", number, mark->reason);
-    } else if (ending.code == static_cast<int>(CaseEnd::elsewhere)) {
+    } else if (ends_as(ending, CaseEnd::elsewhere)) {
       print_message("case {} is run by another process\n", number);
     } else {
       print_message("case {} was ended by {} {}; the next sweep goes on with it\n", number,
@@ -104,6 +115,7 @@ std::string study_folder(const SweepOptions& options) {
 }
 
 int sweep(const SweepOptions& options) {
+  if (options.verb == "run") note_signals_for_pool();
   const StudyFiles files = read_study(options.study);
   check_columns(files);
   if (!options.is_quiet) tell_warnings(files);
@@ -125,24 +137,33 @@ int sweep(const SweepOptions& options) {
   const int threads =
       options.threads > 0 ? options.threads : std::max(1, static_cast<int>(processors() / jobs));
   SweepNews news(folder, sweep_state(folder, needed()), jobs, options.is_quiet);
+  // A machine that has failed holds a case on NFS for 90 s after its task runs on another one.
+  const int wait_s = options.verb == "run" ? 120 : 10;
   Pool pool(jobs, [&](std::int64_t number) {
     catch_stop_signals();
-    return static_cast<int>(run_case(files, number, folder, threads));
+    return static_cast<int>(run_case(files, number, folder, threads, wait_s));
   });
+  bool has_progress = false;
   const int signal = pool.run(
       numbers,
       [&](std::int64_t number, const auto& ending) {
         news.end(number, ending);
+        has_progress = has_progress || is_further(ending, options);
         if (options.cases.empty()) pool.begin_none_after(last_case());
       },
       [&] { news.turn(pool.running()); });
   news.finish();
+  if (signal == SIGTERM && options.verb == "run" && !has_progress) {
+    print_message("stopped before any case came further than before\n");
+    return no_progress;
+  }
   if (signal != 0) {
     print_message("stopped: the same command goes on\n");
     return 128 + signal;
   }
   if (options.verb != "run") write_study(files, folder, product_threads(options));
-  if (enough.last_case()) note_last_case(folder, last_case());
+  // A task of a cluster may not see all cases that have told.
+  if (enough.last_case() || options.verb != "run") note_last_case(folder, enough.last_case());
   const SweepState state = sweep_state(folder, needed());
   print_result("{}", options.is_json ? to_json(state) : to_text(state) + "\n");
   if (!options.is_json && enough.last_case()) print_result("{}\n", enough.text());
@@ -165,7 +186,7 @@ int sweep_gather(const SweepOptions& options) {
   const Gathered gathered = write_study(files, folder, product_threads(options));
   StopWatch enough(files, folder);
   const std::int64_t last_case = enough.last_case().value_or(files.cases);
-  if (enough.last_case()) note_last_case(folder, last_case);
+  note_last_case(folder, enough.last_case());
   if (options.is_json) {
     print_result("{}", to_json(sweep_state(folder, listed_cases("", last_case))));
     return 0;

@@ -13,8 +13,6 @@ namespace lsos::test {
 
 class ClusterFolder : public ::testing::Test {
  protected:
-  static constexpr const char* odd = "it's 100% \"odd\" $HOME";
-
   void SetUp() override { write_study(4); }
 
   void write_study(int cases, const std::string& keys = "") {
@@ -34,10 +32,13 @@ class ClusterFolder : public ::testing::Test {
                                      "lsos.vary { of = 'A/10.Speed', list = { " + speeds + " } }"));
   }
 
+  // The folder's name. Slurm takes none with a backslash.
+  std::string odd = "-it's 100% \"odd\" $HOME {} {= die =};";
+
   std::filesystem::path folder() const { return temp_ / odd; }
   std::filesystem::path temp() const { return temp_.path(); }
   void write(const std::string& name, const std::string& text) {
-    temp_.write(std::string(odd) + "/" + name, text);
+    temp_.write(odd + "/" + name, text);
   }
 
   // A program in a folder that comes first in PATH.
@@ -63,7 +64,7 @@ class ClusterFolder : public ::testing::Test {
   }
 
   // A Slurm that runs all tasks of an array before it answers, unless RUNS_NOTHING is set. It notes
-  // what it is asked in the file `asked`.
+  // what it is asked in the file `asked`. It answers after WAITS seconds, in the words of ANSWER.
   void write_slurm() {
     write_program("sbatch", R"(echo "sbatch $*" >> "$ASKED"
 count=$(grep -c ^sbatch "$ASKED")
@@ -76,8 +77,9 @@ for word; do
     *) break ;;
   esac
 done
+sleep "${WAITS:-0}"
 echo "a word of the site"
-echo "$((100 + count));cluster"
+echo "${ANSWER-$((100 + count));cluster}"
 if [ -n "$RUNS_NOTHING" ]; then exit; fi
 exec >> "$ASKED.out" 2>&1
 if [ "$tasks" = 0 ]; then bash "$@"; fi
@@ -87,9 +89,12 @@ done
 true
 )");
     write_program("scancel", "echo \"scancel $*\" >> \"$ASKED\"\n");
-    write_program("squeue", "echo \"squeue $*\" >> \"$ASKED\"\necho \"$QUEUED\"\n");
+    write_program("squeue",
+                  "echo \"squeue $*\" >> \"$ASKED\"\necho \"$QUEUED\"\nexit ${SQUEUE_CODE:-0}\n");
     write_program("sacctmgr", "echo \"$MAX_SUBMIT\"\n");
-    write_program("scontrol", "echo \"MaxArraySize            = ${MAX_ARRAY:-1001}\"\n");
+    write_program("scontrol",
+                  "echo \"MaxArraySize            = ${MAX_ARRAY:-1001}\"\n"
+                  "echo \"SchedulerParameters     = $SCHEDULER\"\n");
   }
   Words slurm(Words environment = {}) const {
     environment.push_back("ASKED=" + (temp_ / "asked").string());

@@ -73,7 +73,11 @@ SchedulerParameters=batch_sched_delay=0,bf_interval=2,sched_interval=2
 MaxArraySize=)" + std::to_string(array_size_max) +
                                              R"(
 NodeName=)" + name + R"( NodeAddr=127.0.0.1 CPUs=2 State=UNKNOWN
-PartitionName=main Nodes=ALL Default=YES MaxTime=INFINITE State=UP
+PreemptType=preempt/partition_prio
+PreemptMode=CANCEL
+SlurmctldParameters=preempt_send_user_signal
+PartitionName=main Nodes=ALL Default=YES MaxTime=INFINITE State=UP PriorityTier=1 GraceTime=60
+PartitionName=urgent Nodes=ALL MaxTime=INFINITE State=UP PriorityTier=2
 )";
   std::string filled = text;
   for (std::size_t at; (at = filled.find("DIR/")) != std::string::npos;) {

@@ -1,4 +1,5 @@
-// A Slurm of one node on the loopback, for tests.
+// A Slurm of one node on the loopback, for tests. Jobs of its partition "urgent" take the place of
+// those in "main", which are told and have a minute to end.
 #pragma once
 
 #include <functional>

@@ -1,9 +1,7 @@
 // Studies as a user runs them: many cases of a plan on the processors of one machine.
 #include <gmock/gmock.h>
 
-#include <csignal>
 #include <filesystem>
-#include <thread>
 
 #include "system/killed_sweep.h"
 
@@ -30,15 +28,6 @@ class Sweep : public ::testing::Test {
     for (const char* more : {"study.lua", "--quiet", "-o"}) words.emplace_back(more);
     words.push_back(out);
     return run(words, {.folder = folder_.path()});
-  }
-
-  // Waits until the first case drives.
-  void wait_for_drive() const {
-    const fs::path log = folder_ / "out/cases/000001.part/log.gpkg";
-    for (int i = 0; i < 1000 && !fs::exists(log); ++i) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(600));
   }
 
   TempFolder folder_;
@@ -196,47 +185,27 @@ TEST_F(Sweep, tells_of_missions_that_fail) {
   EXPECT_FALSE(fs::exists(folder_ / "out/cases/000001/log.gpkg"));
 }
 
-TEST_F(Sweep, goes_on_after_it_was_stopped) {
-  write(long_drive(), study_text("cases = 2, keep = 'all',",
+// The processes of a cluster's tasks find the record at once, each by its own name of the folder.
+TEST_F(Sweep, leaves_its_record_as_it_is) {
+  write(short_plan(), study_text("cases = 1, stop_when = lsos.stop_when { of = 'completed', within "
+                                 "= 0.1 },",
                                  "lsos.vary { of = 'MissionInfo.Seed', list = { 1, 2 } },"));
-  Process sweeping(program({"sweep", "study.lua", "-o", "out", "-j", "2", "--quiet"}),
-                   {.folder = folder_.path()});
-  wait_for_drive();
-  sweeping.signal(SIGTERM);
-  const Outcome stopped = sweeping.wait();
-  EXPECT_EQ(stopped.exit_code, 143) << stopped.err;
-  EXPECT_THAT(stopped.err, HasSubstr("stopped: the same command goes on"));
-  const json part = json::parse(read_text(folder_ / "out/cases/000001.part/summary.json"));
-  EXPECT_EQ(part["status"], "incomplete");
-  EXPECT_GT(part["sim_s"], 0) << "it stopped at a checkpoint";
-  const Outcome status =
-      run({"sweep", "status", "study.lua", "-o", "out", "--json"}, {.folder = folder_.path()});
-  const json state = json::parse(status.out);
-  EXPECT_EQ(state["cases"], 2);
-  EXPECT_EQ(state["done"], 0);
-  EXPECT_EQ(state["running"], json::array());
-}
-
-// A batch system sends SIGTERM to all processes of a job, and the job's shell passes on its own.
-TEST_F(Sweep, stops_at_a_checkpoint_however_often_it_is_told) {
-  write(long_drive(),
-        study_text("cases = 1,", "lsos.vary { of = 'MissionInfo.Seed', list = { 1, 2 } },"));
-  Process sweeping(program({"sweep", "study.lua", "-o", "out", "--quiet"}),
-                   {.folder = folder_.path()});
-  wait_for_drive();
-  const std::string id = std::to_string(sweeping.id());
-  std::ifstream children("/proc/" + id + "/task/" + id + "/children");
-  pid_t child = 0;
-  ASSERT_TRUE(children >> child);
-  kill(child, SIGTERM);
-  sweeping.signal(SIGTERM);
-  std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  sweeping.signal(SIGTERM);
-  const Outcome stopped = sweeping.wait();
-  EXPECT_FALSE(stopped.was_killed);
-  EXPECT_EQ(stopped.exit_code, 143) << stopped.err;
-  const json part = json::parse(read_text(folder_ / "out/cases/000001.part/summary.json"));
-  EXPECT_GT(part["sim_s"], 0) << "it stopped at a checkpoint";
+  const Words run_words{"sweep", "run", "study.lua", "-o", "out", "--quiet"};
+  ASSERT_EQ(run(run_words, {.folder = folder_.path()}).exit_code, 0);
+  const std::string file = folder_ / "out/study.json";
+  auto record = nlohmann::ordered_json::parse(read_text(file));
+  record["last_case"] = 1;
+  record["study_file"] = "/elsewhere/study.lua";
+  const std::string text = record.dump();
+  std::ofstream(file) << text;
+  ASSERT_EQ(run(run_words, {.folder = folder_.path()}).exit_code, 0);
+  EXPECT_EQ(read_text(file), text);
+  // More cases are another matter.
+  record["cases"] = 7;
+  std::ofstream(file) << record.dump();
+  ASSERT_EQ(run(run_words, {.folder = folder_.path()}).exit_code, 0);
+  EXPECT_EQ(json::parse(read_text(file))["cases"], 1);
+  EXPECT_EQ(json::parse(read_text(file))["last_case"], 1);
 }
 
 // As a Lustre that is mounted without them.

@@ -17,10 +17,10 @@ TEST(TimeLimit, is_written_as_for_slurm) {
   EXPECT_EQ(time_limit_s("2-12:30:01"), 60 * 3600 + 1801);
 }
 
-TEST(TimeLimit, is_a_minute_or_more) {
-  EXPECT_EQ(time_limit_s("1"), 60);
+TEST(TimeLimit, is_five_minutes_or_more) {
+  EXPECT_EQ(time_limit_s("5"), 300);
   for (const char* text :
-       {"", "0", "0:59", "-5", "1h", "1:2:3:4", "1-", "90 ", "1.5", "99999999"}) {
+       {"", "0", "4:59", "-5", "1h", "1:2:3:4", "1-", "90 ", "1.5", "99999999"}) {
     EXPECT_FALSE(time_limit_s(text)) << text;
   }
 }
