@@ -196,6 +196,7 @@ std::vector<EventEstimate> EstimateWatch::events(const Fleet& fleet, Instant mis
       event.label = planned.label;
       event.status = sequence.row(i).status;
       event.reason = record.reason;
+      event.waits_in_vain = record.has_waited_in_vain();
       event.meets = rovers_[k].sums[i].meets;
       if (record.ready) event.ready_s = seconds(*record.ready);
       if (record.start) event.start_s = seconds(*record.start);
