@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
+#include <utility>
 
 #include "base/moment_text.h"
 #include "mission/estimate/day_ranges.h"
@@ -19,31 +21,45 @@ constexpr SimTime idle_max = std::chrono::hours(100 * 24);
 // Says of events that are not over what they wait for or do, where the estimate ends before them.
 void tell_what_is_awaited(Simulation& simulation, std::vector<EventEstimate>& events) {
   simulation.stop("the estimate is cut short");
-  for (const EventRow& row : simulation.events()) {
-    const auto event = std::ranges::find_if(events, [&](const EventEstimate& each) {
-      return each.rover_id == row.rover_id && each.sequence == row.sequence;
-    });
-    if (event == events.end() || event->over_s) continue;
-    event->status = row.status;
-    event->reason = row.reason;
+  for (const FleetRover& rover : simulation.fleet().rovers) {
+    for (std::size_t i = 0; i < rover.sequence.records().size(); ++i) {
+      const EventRow row = rover.sequence.row(i);
+      const auto event = std::ranges::find_if(events, [&](const EventEstimate& each) {
+        return each.rover_id == row.rover_id && each.sequence == row.sequence;
+      });
+      if (event == events.end() || event->over_s) continue;
+      event->status = row.status;
+      event->reason = row.reason;
+      event->waits_in_vain = rover.sequence.records()[i].has_waited_in_vain();
+    }
   }
 }
 
-// Where nothing takes place any more, as rovers wait for what never comes, that alone is told; so
-// it is of one rover that waits while others go on.
+// A charge that runs low may be why a rover waits in vain.
+bool may_keep_waiting(const Lack& lack) {
+  return lack.kind == LackKind::energy || (lack.kind == LackKind::sunlight && lack.below_s);
+}
+
+// Where nothing takes place any more, as rovers wait for what never comes, that is told, and once
+// each that a rover's charge runs low; so it is of one rover that waits while others go on.
 void leave_out_vain_waits(MissionEstimate& estimate, std::optional<SimTime> idle_since) {
   std::map<std::string, double> waits_since_s;
   for (const EventEstimate& event : estimate.events) {
-    const bool is_in_vain = event.status == EventStatus::not_started && event.ready_s &&
-                            event.reason.find("; it waited for ") != std::string::npos;
-    if (is_in_vain) waits_since_s.emplace(event.rover_id, *event.ready_s);
+    if (event.waits_in_vain) waits_since_s.emplace(event.rover_id, *event.ready_s);
   }
-  std::erase_if(estimate.lacks, [&](const Lack& lack) {
+  std::set<std::pair<std::string, LackKind>> kept;
+  std::vector<Lack> lacks;
+  for (Lack& lack : estimate.lacks) {
     const double since_s = lack.below_s.value_or(lack.begin_s);
     const auto waits = waits_since_s.find(lack.rover_id);
-    return (idle_since && since_s >= seconds(*idle_since)) ||
-           (waits != waits_since_s.end() && since_s >= waits->second);
-  });
+    const bool is_in_vain = (idle_since && since_s >= seconds(*idle_since)) ||
+                            (waits != waits_since_s.end() && since_s >= waits->second);
+    const std::pair<std::string, LackKind> key(lack.rover_id, lack.kind);
+    if (is_in_vain && (kept.contains(key) || !may_keep_waiting(lack))) continue;
+    if (may_keep_waiting(lack)) kept.insert(key);
+    lacks.push_back(std::move(lack));
+  }
+  estimate.lacks = std::move(lacks);
 }
 
 }  // namespace
@@ -73,8 +89,12 @@ MissionEstimate estimate_mission(Simulation& simulation) {
   estimate.lacks = watch.lacks();
   estimate.shades = watch.shades(simulation.fleet());
   estimate.end_s = seconds(simulation.now());
-  if (!estimate.cut_short.empty()) tell_what_is_awaited(simulation, estimate.events);
-  leave_out_vain_waits(estimate, watch.idle_since());
+  if (estimate.cut_short.empty()) {
+    leave_out_vain_waits(estimate, watch.idle_since());
+  } else {
+    // What is waited for may well come after the estimate has ended.
+    tell_what_is_awaited(simulation, estimate.events);
+  }
   return estimate;
 }
 

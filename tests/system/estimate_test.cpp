@@ -25,10 +25,16 @@ json checked(const TempFolder& folder, const std::vector<Mark>& plan) {
   return json::parse(outcome.out);
 }
 
-double middle(const json& value) {
-  if (value.is_number()) return value;
-  return (value.at("low").get<double>() + value.at("high").get<double>()) / 2;
+struct Limits {
+  double low = 0, high = 0;
+};
+
+Limits limits(const json& value) {
+  if (value.is_number()) return {value, value};
+  return {value.at("low"), value.at("high")};
 }
+
+double middle(const json& value) { return (limits(value).low + limits(value).high) / 2; }
 
 // Charge of a rover at a time of the run.
 double charge_at(const PlanRun& run, const std::string& rover_id, double time_s) {
@@ -91,13 +97,32 @@ TEST(Estimate, knows_whether_sun_and_earth_are_seen) {
   EXPECT_EQ(middle(estimate[5].at("sunlit_share")), 0);  // the panels are stowed
 }
 
+// Share of a time in which the Sun reaches the panel of the only rover, by the rows of a run: as if
+// each held until the next, and as if each held since the one before.
+Limits sunlit_between(const PlanRun& run, double begin_s, double end_s) {
+  double held_s = 0, had_s = 0, last_s = 0;
+  bool was_lit = false;
+  for (const PanelRow& row : run.log().panels()) {
+    const double time_s = seconds(row.time);
+    const double passed_s = std::min(time_s, end_s) - std::max(last_s, begin_s);
+    const bool is_lit = row.sun_fraction > 0 && row.incidence > 0;
+    if (passed_s > 0 && was_lit) held_s += passed_s;
+    if (passed_s > 0 && is_lit) had_s += passed_s;
+    last_s = time_s;
+    was_lit = is_lit;
+  }
+  const auto [low_s, high_s] = std::minmax(held_s, had_s);
+  const double all_s = end_s - begin_s;
+  return {low_s / all_s, high_s / all_s};
+}
+
 TEST(Estimate, follows_panels_while_they_turn) {
   const auto turned_north = [](int sequence) {
     return event("SteerSP", "A", sequence,
                  {{"Mode", "point"}, {"Azimuth", "0"}, {"Elevation", "0"}});
   };
   const std::vector<Mark> plan{
-      mission({{"LogInterval", "2"}, {"ParkedLogInterval", "2"}}),
+      mission({{"LogInterval", "1"}, {"ParkedLogInterval", "1"}}),
       Mark{"Rover",
            {{"RoverId", "A"}, {"RoverType", "SEV"}, {"InitialCharge", "0.5"}},
            point("31,12")},
@@ -109,6 +134,12 @@ TEST(Estimate, follows_panels_while_they_turn) {
     const double solar_j = events[k].at("solar_j");
     EXPECT_GT(events[k].at("end_s").get<double>() - events[k].at("start_s").get<double>(), 40);
     EXPECT_NEAR(middle(estimate[k].at("solar_j")), solar_j, 0.1 * solar_j) << k;
+    const Limits lit = sunlit_between(run, events[k].at("start_s"), events[k].at("end_s"));
+    const Limits expected = limits(estimate[k].at("sunlit_share"));
+    EXPECT_LT(expected.high - expected.low, 0.15) << k;
+    // Nothing is known of the time between two rows of the log.
+    EXPECT_LE(expected.low, lit.high) << k;
+    EXPECT_GE(expected.high, lit.low) << k;
   }
 }
 

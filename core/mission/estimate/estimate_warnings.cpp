@@ -71,8 +71,7 @@ std::string news_of(const EventEstimate& event, const std::vector<EventEstimate>
     return fmt::format("it is cut off at {}: {}{}", utc(event.over_s), event.reason,
                        prevented_text(prevented));
   }
-  if (event.status == EventStatus::not_started && event.ready_s &&
-      event.reason.find("; it waited for ") != std::string::npos) {
+  if (event.waits_in_vain) {
     return fmt::format("its turn comes at {} and it never starts: {}", utc(event.ready_s),
                        event.reason);
   }

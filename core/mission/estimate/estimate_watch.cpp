@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/rounding.h"
 #include "mission/estimate/event_ranges.h"
@@ -82,10 +83,14 @@ void EstimateWatch::look(const Fleet& fleet, SimTime now) {
     find_earth(rover, agent, now, sums);
     rover.is_driving = agent.drive().is_carried();
     rover.is_turning = agent.power().is_panel_turning();
-    rover.running.reset();
+    const std::optional<std::size_t> was_running = std::exchange(rover.running, {});
     while (rover.first < records.size() && records[rover.first].end) ++rover.first;
     for (std::size_t i = rover.first; i < records.size() && !rover.running; ++i) {
       if (records[i].status == EventStatus::running) rover.running = i;
+    }
+    if (rover.running != was_running) {
+      rover.held_lit.end_event(sums.lit);
+      rover.held_seen.end_event(sums.seen);
     }
     rover.lacks.look(fleet, k, rover.running, {rover.lit == 0, rover.seen > 0}, seconds(now));
   }
@@ -102,16 +107,15 @@ void EstimateWatch::look(const Fleet& fleet, SimTime now) {
 void EstimateWatch::pass(Watched& rover, const RoverAgent& agent, double passed_s) {
   const double charge = agent.power().view().charge;
   const DriveDoubt drives = agent.drive().doubt();
-  if (rover.running) {
-    Sums& sums = rover.sums[*rover.running];
-    sums.all_s += passed_s;
-    sums.charge_min = std::fmin(sums.charge_min, charge);
-    const bool is_moving = rover.is_driving || rover.is_turning;
-    rover.held_lit.pass(passed_s, is_moving, sums.lit);
-    rover.held_seen.pass(passed_s, is_moving, sums.seen);
-    if (!std::isnan(rover.seen)) sums.sight_s += passed_s;
-    sums.drives += drives - rover.drives;
-  }
+  Sums of_none;
+  Sums& running = rover.running ? rover.sums[*rover.running] : of_none;
+  running.all_s += passed_s;
+  running.charge_min = std::fmin(running.charge_min, charge);
+  const bool is_moving = rover.is_driving || rover.is_turning;
+  rover.held_lit.pass(passed_s, is_moving, running.lit);
+  rover.held_seen.pass(passed_s, is_moving, running.seen);
+  if (!std::isnan(rover.seen)) running.sight_s += passed_s;
+  running.drives += drives - rover.drives;
   rover.drives = drives;
   const std::size_t at = rover.running.value_or(rover.first);
   if (at >= rover.sums.size()) return;
@@ -130,7 +134,7 @@ void EstimateWatch::find_sun(Watched& rover, const RoverAgent& agent, Sums& sums
   const std::optional<PanelSunlight>& sun = power.sun();
   const bool is_anew = sun && rover.sun_time != sun->time;
   rover.lit = lit ? *lit > 0 : not_modelled;
-  rover.held_lit.find(lit >= clear_share, lit > 0.0, is_anew, sums.lit);
+  rover.held_lit.find(lit >= clear_share, lit > 0.0, is_anew, is_anew ? sun->ahead_s : 0, sums.lit);
   rover.is_stowed = lit && !power.panels().is_any_up();
   if (!is_anew) return;
   rover.sun_time = sun->time;
@@ -145,9 +149,11 @@ void EstimateWatch::find_earth(Watched& rover, const RoverAgent& agent, SimTime 
   if (earth && earth->is_visible) surely = earth->fraction >= earth_surely;
   // A disc that a body hides counts as hidden whole.
   if (earth && !earth->is_visible) perhaps = earth->fraction >= earth_perhaps;
-  const bool is_anew = agent.drive().has_passed_mark() ||
-                       (rover.is_turning && now % estimate_turn_period == SimTime{});
-  rover.held_seen.find(surely, perhaps, is_anew, sums.seen);
+  // It is looked at as panels turn, at whole multiples of the period, and as they arrive.
+  const bool is_turn_seen = rover.is_turning && (now % estimate_turn_period == SimTime{} ||
+                                                 !agent.power().is_panel_turning());
+  const bool is_anew = agent.drive().has_passed_mark() || is_turn_seen;
+  rover.held_seen.find(surely, perhaps, is_anew, 0, sums.seen);
 }
 
 std::vector<RoverShade> EstimateWatch::shades(const Fleet& fleet) const {
@@ -196,6 +202,7 @@ std::vector<EventEstimate> EstimateWatch::events(const Fleet& fleet, Instant mis
       event.label = planned.label;
       event.status = sequence.row(i).status;
       event.reason = record.reason;
+      event.waits_in_vain = record.has_waited_in_vain();
       event.meets = rovers_[k].sums[i].meets;
       if (record.ready) event.ready_s = seconds(*record.ready);
       if (record.start) event.start_s = seconds(*record.start);

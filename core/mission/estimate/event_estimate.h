@@ -40,6 +40,7 @@ struct EventEstimate {
   std::string type, label;
   EventStatus status = EventStatus::not_started;
   std::string reason;                    // why it does not take place as drawn, else ""
+  bool waits_in_vain = false;            // its turn comes, and it never starts
   std::string meets;                     // the rover that stands where its drive ends, else ""
   std::optional<double> start_s, end_s;  // since the mission's start
   std::optional<double> ready_s;         // when its turn comes

@@ -20,7 +20,7 @@ struct Carried {
 
 using Key = std::pair<std::string, std::int64_t>;
 
-// Whether an event ends at a time of day that the plan gives.
+// Whether an event that does not begin too late ends at a time of day that the plan gives.
 bool ends_by_clock(const DoubtedEvent& event, Instant mission_start) {
   return std::ranges::any_of(event.planned->params, [&](const auto& param) {
     const Instant* at = std::get_if<Instant>(&param.second);
@@ -106,11 +106,15 @@ void add_ranges(const std::vector<DoubtedEvent>& events, Instant mission_start) 
     Expected duration_s{takes_s - event.drives.early_s, takes_s + event.drives.late_s};
     Expected end{start.low + duration_s.low, start.high + duration_s.high};
     if (ends_by_clock(event, mission_start)) {
-      end = Expected::exactly(*estimate.end_s);
+      // One that begins after that time is over at once.
+      const double at_s = *estimate.end_s;
+      end = {std::max(at_s, start.low), std::max(at_s, start.high)};
       duration_s = Expected::exactly(takes_s);
     }
-    estimate.start_range_s = told(start.low, start.high, end_told_s);
     estimate.end_range_s = told(end.low, end.high, end_told_s);
+    // No event is told to end before it begins.
+    const bool may_end_before = estimate.end_range_s && end.low < *estimate.start_s;
+    estimate.start_range_s = told(start.low, start.high, may_end_before ? 0 : end_told_s);
     ends_s[{estimate.rover_id, estimate.sequence}] = end;
     add_energy(event, duration_s, carried);
     if (!is_timed) carried.end_s = end;

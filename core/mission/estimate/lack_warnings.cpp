@@ -133,10 +133,10 @@ std::vector<Fault> doubt_warnings(const std::vector<EventEstimate>& events,
     if (is_told) continue;
     warnings.push_back(
         {Severity::warning, planned->place,
-         fmt::format(
-             "{} '{}': by the estimate WarnWhen may hold: {}; Earth is near the horizon, and "
-             "in view for {:.0f} to {:.0f} % of its time",
-             event.type, event.label, asked, 100 * seen->low, 100 * seen->high)});
+         fmt::format("{} '{}': by the estimate WarnWhen may hold: {}; Earth is in view for {:.0f} "
+                     "to {:.0f} % "
+                     "of its time",
+                     event.type, event.label, asked, 100 * seen->low, 100 * seen->high)});
   }
   return warnings;
 }

@@ -22,6 +22,10 @@ bool EventRecord::has_begun() const {
   return start || (has_ended() && status != EventStatus::disabled);
 }
 
+bool EventRecord::has_waited_in_vain() const {
+  return status == EventStatus::not_started && !is_prevented && ready && end && *end > *ready;
+}
+
 void EventRecord::archive(Archive& a) {
   LSOS_ARCHIVE(a, status, reason, ready, start, end, distance_start_m, distance_m, used_start_j,
                energy_used_j, solar_start_j, solar_j, charge_start, charge_end, place.lon_rad,

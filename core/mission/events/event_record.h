@@ -29,6 +29,8 @@ struct EventRecord {
   bool has_ended() const;
   // Whether it has begun, or is over without having begun.
   bool has_begun() const;
+  // Whether its turn came and the mission has ended before what it waited for did.
+  bool has_waited_in_vain() const;
 
   void archive(Archive& a);
   bool is_sound() const;

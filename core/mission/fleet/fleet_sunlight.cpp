@@ -28,6 +28,12 @@ std::string diffuse_light_assumption(const Body& body, double optical_depth, dou
   return "light: panels use the Sun's direct light alone, not what air or ground scatter";
 }
 
+// Half of the time for which what an estimate finds of panels that turn holds.
+SimTime half_way_ahead(const PanelArray& panels, SimTime now) {
+  const SimTime whole = (now / estimate_turn_period + 1) * estimate_turn_period;
+  return (std::min(whole, panels.next_end(now).value_or(whole)) - now) / 2;
+}
+
 }  // namespace
 
 FleetSunlight::FleetSunlight(const Ground& ground, Renderer& renderer,
@@ -92,13 +98,16 @@ void FleetSunlight::update(Fleet& fleet, const Moment& moment) {
     if (!follows_turns(agent) || is_whole) aim_panels(*ground_, agent, sun, now);
     const bool turns = follows_turns(agent);
     // Turning panels are evaluated at whole multiples of the period and when they arrive; in an
-    // estimate also as they set off, and as they stand in the middle of the time that follows.
+    // estimate also as they set off, and as they stand in the middle of the time until the next.
     if (turns && !is_whole && agent.power().sun() && !is_estimate_) continue;
-    const SimTime seen_at = turns && is_estimate_ ? now + turn_period() / 2 : now;
+    const SimTime ahead =
+        turns && is_estimate_ ? half_way_ahead(agent.power().panels(), now) : SimTime{};
+    const SimTime seen_at = now + ahead;
     PanelSunlight value =
         evaluate_sunlight(light_, *ground_, agent,
                           solids_near(fleet, site, p_S_m, agent.id(), sun, now), sun, seen_at);
     value.time = now;
+    value.ahead_s = seconds(ahead);
     agent.power().set_sun(value);
     agent.power().clear_panel_command();
     agent.drive().clear_motion_ended();

@@ -38,6 +38,7 @@ struct PanelSunlight {
   // What the power of all panels may be less or more, W, where an estimate is not sure of the
   // horizon. An estimate is not saved.
   double less_w = 0, more_w = 0;
+  double ahead_s = 0;  // in an estimate: panels that turn stand as they will so long after `time`
 
   void archive(Archive& a) { LSOS_ARCHIVE(a, time, is_dark, panels); }
 };

@@ -65,6 +65,43 @@ TEST(DayRanges, of_charge_are_those_of_the_last_event_that_has_ended) {
   EXPECT_FALSE(days[1].charge_end_range) << "a full battery is sure";
 }
 
+TEST(DayRanges, of_charge_grow_in_the_course_of_an_event) {
+  std::vector<DayEstimate> days{day(1), day(2), day(3)};
+  days[0].charge_min = days[0].charge_end = 0.8;
+  days[1].charge_min = 0.8;
+  days[2].charge_min = days[2].charge_end = 0.5;
+  const std::vector<EventEstimate> events{event(0.5 * day_s, 2.5 * day_s)};
+  add_day_ranges(days, events);
+  // A quarter of the event is over.
+  expect(days[0].charge_end_range, 0.8 - 0.025, 0.8 + 0.0125);
+  expect(days[0].charge_min_range, 0.8 - 0.025, 0.8 + 0.0125);
+  expect(days[1].charge_min_range, 0.8 - 0.025, 0.8 + 0.0125);
+  expect(days[1].charge_end_range, 0.7 - 0.075, 0.7 + 0.0375);
+  expect(days[2].charge_end_range, 0.4, 0.55);
+  expect(days[2].charge_min_range, 0.4, 0.55);
+}
+
+TEST(DayRanges, of_a_day_without_events_are_as_those_before) {
+  std::vector<DayEstimate> days{day(1), day(2)};
+  days[1].charge_min = days[1].charge_end = 0;
+  add_day_ranges(days, {event(0, 1000)});
+  expect(days[1].charge_end_range, 0, 0.05);
+  expect(days[1].charge_min_range, 0, 0.05);
+}
+
+TEST(DayRanges, are_none_where_they_are_narrow) {
+  std::vector<DayEstimate> days{day(1)};
+  days[0].energy_used_j = 1e9;
+  EventEstimate narrow = event(0, 1000);
+  narrow.charge_end_range = narrow.charge_min_range = Expected{0.498, 0.502};
+  add_day_ranges(days, {narrow});
+  EXPECT_FALSE(days[0].energy_range_j || days[0].charge_end_range || days[0].charge_min_range);
+  days[0].energy_used_j = 3e6;
+  add_day_ranges(days, {narrow});
+  EXPECT_TRUE(days[0].energy_range_j && days[0].charge_end_range && days[0].charge_min_range)
+      << "where the energy has one, so has the charge";
+}
+
 TEST(DayRanges, are_none_of_other_rovers) {
   std::vector<DayEstimate> days{day(1)};
   days[0].rover_id = "B";

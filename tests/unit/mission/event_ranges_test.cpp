@@ -123,6 +123,27 @@ TEST_F(EventRanges, begin_anew_at_a_time_of_day_that_is_waited_for) {
   EXPECT_FALSE(events[3].end_range_s);
 }
 
+TEST_F(EventRanges, of_an_event_that_a_clock_ends_may_end_when_it_begins_late) {
+  add("A", 1, 0, 1000, drive);
+  add("A", 2, 1000, 1010).params["until"] = start + from_seconds(1010);
+  add("A", 3, 1010, 1100);
+  find();
+  expect_end(1, 1010, 1040);
+  ASSERT_TRUE(events[2].start_range_s);
+  EXPECT_DOUBLE_EQ(events[2].start_range_s->low, 1010);
+  EXPECT_DOUBLE_EQ(events[2].start_range_s->high, 1040);
+}
+
+TEST_F(EventRanges, are_told_of_a_start_where_the_end_may_come_before_it) {
+  add("A", 1, 0, 1000, {5, 4, 0, 0, 1e6});  // its end is told as sure
+  add("A", 2, 1000, 1001, {0, 10, 0, 0, 0});
+  find();
+  EXPECT_FALSE(events[0].end_range_s);
+  expect_end(1, 996, 1015);
+  ASSERT_TRUE(events[1].start_range_s);
+  EXPECT_DOUBLE_EQ(events[1].start_range_s->low, 995);
+}
+
 TEST_F(EventRanges, begin_anew_where_something_else_is_waited_for) {
   add("A", 1, 0, 1000, drive);
   add("A", 2, 1500, 2000);

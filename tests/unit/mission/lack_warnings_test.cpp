@@ -27,7 +27,7 @@ TEST(DoubtWarnings, tell_of_warn_when_that_may_hold_for_a_part) {
   EXPECT_THAT(
       warnings[0].what,
       HasSubstr("Route 'into': by the estimate WarnWhen may hold: not sees('Earth'); Earth is "
-                "near the horizon, and in view for 75 to 100 % of its time"));
+                "in view for 75 to 100 % of its time"));
   // What surely holds is told otherwise.
   Lack lack;
   lack.kind = LackKind::condition;
