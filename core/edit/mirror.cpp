@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
+#include <string_view>
 
 #include "base/error.h"
 #include "edit/coordinates.h"
@@ -23,24 +25,55 @@ void swap_names(PlanDocument& document, const PlanMark& mark, const Mirror& mirr
   }
 }
 
-bool is_in_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+// Whether the text begins with a part of a word: a letter of any script, a digit, '_'. Dashes,
+// quotes and blanks outside ASCII are none.
+bool begins_in_word(std::string_view text) {
+  if (text.empty()) return false;
+  const auto first = static_cast<unsigned char>(text.front());
+  if (first < 0x80) return std::isalnum(first) != 0 || first == '_';
+  return !text.starts_with("\xc2") && !text.starts_with("\xe2\x80") &&
+         !text.starts_with("\xe2\x81");
+}
 
-// A name that says the rover, as "SEV1 to the rim", says the other. An id of one letter may be any
-// word.
-std::string renamed(const std::string& name, const Mirror& mirror) {
-  if (mirror.from.size() < 2) return name;
-  std::string text;
-  std::size_t begin = 0;
-  for (std::size_t at = name.find(mirror.from); at != std::string::npos;
-       at = name.find(mirror.from, at + mirror.from.size())) {
-    const std::size_t end = at + mirror.from.size();
-    const bool is_word =
-        (at == 0 || !is_in_word(name[at - 1])) && (end == name.size() || !is_in_word(name[end]));
-    if (!is_word) continue;
-    text += name.substr(begin, at - begin) + mirror.to;
-    begin = end;
+bool ends_in_word(std::string_view text) {
+  std::size_t last = text.size();
+  while (last > 0 && (static_cast<unsigned char>(text[--last]) & 0xC0) == 0x80) continue;
+  return begins_in_word(text.substr(last));
+}
+
+// The longest of the ids that stands there as a word; "" for none.
+std::string_view id_at(std::string_view text, std::size_t at, const std::vector<std::string>& ids) {
+  std::string_view longest;
+  if (ends_in_word(text.substr(0, at))) return longest;
+  for (const std::string& id : ids) {
+    const std::string_view rest = text.substr(at);
+    if (id.size() <= longest.size() || !rest.starts_with(id)) continue;
+    if (!begins_in_word(rest.substr(id.size()))) longest = id;
   }
-  return text + name.substr(begin);
+  return longest;
+}
+
+std::vector<std::string> ids_of(const Plan& plan) {
+  std::vector<std::string> ids;
+  for (const PlanRover& rover : plan.rovers) ids.push_back(rover.id);
+  for (const PlanAsset& asset : plan.assets) ids.push_back(asset.id);
+  return ids;
+}
+
+// A name that says one of the two rovers, as "SEV1 to the rim", says the other. An id of one letter
+// may be any word: where there is one, names stay as they are.
+std::string renamed(const std::string& name, const Mirror& mirror,
+                    const std::vector<std::string>& ids) {
+  if (mirror.from.size() < 2 || mirror.to.size() < 2) return name;
+  std::string text;
+  for (std::size_t at = 0; at < name.size();) {
+    const std::string_view id = id_at(name, at, ids);
+    text += id == mirror.from ? mirror.to
+            : id == mirror.to ? mirror.from
+                              : name.substr(at, std::max<std::size_t>(id.size(), 1));
+    at += std::max<std::size_t>(id.size(), 1);
+  }
+  return text;
 }
 
 }  // namespace
@@ -59,11 +92,12 @@ Mirrored mirror(PlanDocument& document, const Mirror& mirror) {
         {}, fmt::format("--from {}: rover {} has no events", mirror.from, quoted(mirror.from)));
   }
   std::vector<EventCopy> copies;
+  const std::vector<std::string> ids = ids_of(plan);
   const std::vector<std::int64_t> sequences = sequences_behind(events, last);
   for (std::size_t i = 0; i < events.size(); ++i) {
     copies.push_back({events[i],
                       {mirror.to, sequences[i]},
-                      renamed(document.name(document.mark(*events[i])), mirror)});
+                      renamed(document.name(document.mark(*events[i])), mirror, ids)});
   }
   CopiedEvents copied = copy_events(document, names, copies);
   for (std::size_t i = 0; i < events.size(); ++i) {

@@ -21,8 +21,8 @@ struct Mirrored {
 };
 
 // Copies the events of the rover `from` for the rover `to`, behind its own. Where they name one of
-// the two (a leader, whom to meet), they name the other; a label that has the id `from`, of two
-// letters or more, as a word has `to` in its place. Throws InputError where a place that is to be
+// the two (a leader, whom to meet), they name the other; so do labels that have one of the two ids
+// as a word, where both ids have two letters or more. Throws InputError where a place that is to be
 // moved stands in no <coordinates>.
 Mirrored mirror(PlanDocument& document, const Mirror& mirror);
 

@@ -101,7 +101,8 @@ class TableWriter {
     dataset.reset();
     const std::string_view bytes = made_.bytes();
     if (bytes.empty()) refuse(GdalSilence::message());
-    return ending_ == ".xlsx" ? styled_workbook(std::string(bytes), tables) : std::string(bytes);
+    std::string file(bytes);
+    return ending_ == ".xlsx" ? styled_workbook(file, tables) : file;
   }
 
  private:

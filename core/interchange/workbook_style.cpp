@@ -88,32 +88,38 @@ void style_sheet(std::string& xml, const Table& table, int bold) {
 
 }  // namespace
 
-std::string styled_workbook(std::string xlsx, const std::vector<Table>& tables) {
+std::string styled_workbook(const std::string& xlsx, const std::vector<Table>& tables) {
   constexpr std::size_t bytes_max = std::size_t{1} << 32;
-  const auto read = [&](const std::string& name) {
-    return KmzArchive(xlsx, name, bytes_max).unpacked(name);
+  std::string styled = xlsx;
+  // Absent: the workbook has no such part.
+  const auto read = [&](const std::string& name) -> std::optional<std::string> {
+    KmzArchive archive(styled, name, bytes_max);
+    if (!archive.has(name)) return {};
+    return archive.unpacked(name);
   };
   const auto write = [&](const std::string& name, const std::string& bytes) {
-    xlsx = repacked_zip(xlsx, name, bytes);
+    styled = repacked_zip(styled, name, bytes);
   };
   const std::string styles_name = "xl/styles.xml", workbook_name = "xl/workbook.xml";
-  std::string styles = read(styles_name), workbook = read(workbook_name);
-  const std::optional<int> bold = add_bold(styles);
-  const std::size_t sheets = workbook.find("<sheets>");
+  std::optional<std::string> styles = read(styles_name), workbook = read(workbook_name);
+  if (!styles || !workbook) return xlsx;
+  const std::optional<int> bold = add_bold(*styles);
+  const std::size_t sheets = workbook->find("<sheets>");
   if (!bold || sheets == std::string::npos) return xlsx;
-  write(styles_name, styles);
+  write(styles_name, *styles);
   // The views of sheets are of a window of the workbook.
-  if (workbook.find("<bookViews>") == std::string::npos) {
-    workbook.insert(sheets, "<bookViews>\n<workbookView/>\n</bookViews>\n");
-    write(workbook_name, workbook);
+  if (workbook->find("<bookViews>") == std::string::npos) {
+    workbook->insert(sheets, "<bookViews>\n<workbookView/>\n</bookViews>\n");
+    write(workbook_name, *workbook);
   }
   for (std::size_t i = 0; i < tables.size(); ++i) {
     const std::string name = fmt::format("xl/worksheets/sheet{}.xml", i + 1);
-    std::string sheet = read(name);
-    style_sheet(sheet, tables[i], *bold);
-    write(name, sheet);
+    std::optional<std::string> sheet = read(name);
+    if (!sheet) return xlsx;
+    style_sheet(*sheet, tables[i], *bold);
+    write(name, *sheet);
   }
-  return xlsx;
+  return styled;
 }
 
 }  // namespace lsos

@@ -10,7 +10,8 @@
 namespace lsos {
 
 // The file with columns as wide as their texts, and the header of each sheet bold and kept in view.
-// `tables`: its sheets, in order. What is not written as GDAL 3 does stays as it is.
-std::string styled_workbook(std::string xlsx, const std::vector<Table>& tables);
+// `tables`: its sheets, in order. A file without the parts that GDAL 3 writes (styles, workbook, a
+// sheet for each table), or without their lists, stays as it is.
+std::string styled_workbook(const std::string& xlsx, const std::vector<Table>& tables);
 
 }  // namespace lsos

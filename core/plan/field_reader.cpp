@@ -49,6 +49,23 @@ std::string share_advice(const std::string& text, double share) {
   return share > 1 && share <= 100 ? fmt::format("; did you mean '{} %'?", share) : "";
 }
 
+bool is_inside(const FieldDeclaration& declaration, double value_si) {
+  const std::optional<double>&min = declaration.min_si, &max = declaration.max_si;
+  return (!min || value_si >= *min) && (!max || value_si <= *max);
+}
+
+// Whether a field may have the text, a number with its unit.
+bool is_allowed(const FieldDeclaration& declaration, const std::string& text, const Unit& unit) {
+  const Parsed<double> parsed = parse_quantity(text, unit);
+  return parsed && is_inside(declaration, *parsed.value);
+}
+
+// The value with at most ten digits.
+std::string rounded_text(double value, const Unit& unit) {
+  return fmt::format("{:.10g}{}{}", value, unit.symbol == "1" ? "" : " ",
+                     unit.symbol == "1" ? "" : unit.symbol);
+}
+
 // The unit that the text has behind its number, where the limits have few digits in it; else that
 // of the field.
 const Unit& unit_for_limits(const FieldDeclaration& declaration, const std::string& text) {
@@ -58,43 +75,56 @@ const Unit& unit_for_limits(const FieldDeclaration& declaration, const std::stri
   const Unit* written = find_unit(trimmed(std::string_view(text).substr(number_end + 1)));
   if (written == nullptr || written->kind != own.kind) return own;
   constexpr std::size_t digits_max = 6;
-  for (const std::optional<double>& limit : {declaration.min_si, declaration.max_si}) {
-    if (!limit) continue;
-    if (fmt::format("{:.10g}", *limit / written->si_factor).size() > digits_max) return own;
+  for (const std::optional<double>& limit_si : {declaration.min_si, declaration.max_si}) {
+    if (!limit_si) continue;
+    const double limit = from_si(*limit_si, *written);
+    if (fmt::format("{:.10g}", limit).size() > digits_max) return own;
+    if (!is_allowed(declaration, rounded_text(limit, *written), *written)) return own;
   }
   return *written;
 }
 
-// A limit in a unit that has few digits for it.
-std::string limit_text(double limit_si, const Unit& unit) {
+// A limit as the shortest text that is allowed itself: exact, or with ten digits, the last of them
+// towards the inside where the nearest is outside.
+std::string limit_text(const FieldDeclaration& declaration, double limit_si, const Unit& unit) {
+  const double limit = from_si(limit_si, unit);
+  const double digit = limit == 0 ? 0 : std::pow(10, std::floor(std::log10(std::abs(limit))) - 9);
   const std::string exact = format_quantity(limit_si, unit);
-  const std::string rounded = fmt::format("{:.10g} {}", limit_si / unit.si_factor, unit.symbol);
-  return rounded.size() < exact.size() ? rounded : exact;
+  std::string shortest;
+  for (const std::string& text :
+       {rounded_text(limit, unit), exact, rounded_text(limit + digit, unit),
+        rounded_text(limit - digit, unit)}) {
+    if (!shortest.empty() && text.size() >= shortest.size()) continue;
+    if (is_allowed(declaration, text, unit)) shortest = text;
+  }
+  return shortest.empty() ? exact : shortest;
 }
 
 // Why a number is outside its field's range; "" when it is inside.
 std::string out_of_range(const FieldDeclaration& declaration, double value_si,
                          const std::string& text) {
-  const std::optional<double>& min = declaration.min_si;
-  const std::optional<double>& max = declaration.max_si;
-  if ((!min || value_si >= *min) && (!max || value_si <= *max)) return {};
-  const Unit& unit = unit_for_limits(declaration, text);
-  const bool is_share = unit.kind == "fraction" && declaration.kind == FieldKind::number;
+  if (is_inside(declaration, value_si)) return {};
+  const std::optional<double>&min = declaration.min_si, &max = declaration.max_si;
+  const auto limit = [&](double limit_si) {
+    return limit_text(declaration, limit_si, unit_for_limits(declaration, text));
+  };
+  const bool is_share =
+      unit_of(declaration).kind == "fraction" && declaration.kind == FieldKind::number;
   if (is_share && max && text.find('%') != std::string::npos && value_si > *max) {
     return fmt::format("is above {}", format_quantity(*max, *find_unit("%")));
   }
   // The ceiling that all durations share is not part of the field's own range.
   if (max == longest_duration_s && declaration.kind == FieldKind::duration) {
     return min && value_si < *min
-               ? fmt::format("must be at least {}", limit_text(*min, unit))
+               ? fmt::format("must be at least {}", limit(*min))
                : fmt::format("must be at most {}", format_quantity(*max, *find_unit("d")));
   }
   if (min && max) {
-    return fmt::format("must be from {} to {}{}", limit_text(*min, unit), limit_text(*max, unit),
+    return fmt::format("must be from {} to {}{}", limit(*min), limit(*max),
                        is_share ? share_advice(text, value_si) : "");
   }
-  return min ? fmt::format("must be at least {}", limit_text(*min, unit))
-             : fmt::format("must be at most {}", limit_text(*max, unit));
+  return min ? fmt::format("must be at least {}", limit(*min))
+             : fmt::format("must be at most {}", limit(*max));
 }
 
 std::string range_fault(const FieldDeclaration& declaration, const FieldValue& value,
@@ -150,9 +180,7 @@ std::string bare_number_advice(const FieldDeclaration& declaration, const FieldV
   const bool is_part = eighths != 0 && std::abs(eighths) < 9 &&
                        std::abs(written - eighths * half_turn_rad / 4) < last_digit;
   const double meant_rad = eighths * half_turn_rad / 4;
-  const bool is_allowed = (!declaration.min_si || meant_rad >= *declaration.min_si) &&
-                          (!declaration.max_si || meant_rad <= *declaration.max_si);
-  if (!is_part || !is_allowed) return "";
+  if (!is_part || !is_inside(declaration, meant_rad)) return "";
   return fmt::format("is {:g} deg, as without a unit; did you mean '{:g} deg'?", written,
                      45 * eighths);
 }

@@ -87,7 +87,11 @@ std::string KmzArchive::resolved(const std::string& href, const std::string& doc
   if (!in_lower_case(file).ends_with(".kml")) return "";
   const std::string name =
       (std::filesystem::path(document).parent_path() / file).lexically_normal().generic_string();
-  return zip_name_locate(archive_.get(), name.c_str(), 0) < 0 ? "" : name;
+  return has(name) ? name : "";
+}
+
+bool KmzArchive::has(const std::string& name) const {
+  return zip_name_locate(archive_.get(), name.c_str(), 0) >= 0;
 }
 
 std::string KmzArchive::unpacked(const std::string& name) {

@@ -25,6 +25,7 @@ class KmzArchive {
   std::string resolved(const std::string& href, const std::string& document) const;
   // Path for messages: "plan.kmz/doc.kml".
   std::string path(const std::string& name) const { return file_ + "/" + name; }
+  bool has(const std::string& name) const;
   // Bytes of a file in the archive. Throws InputError when it is damaged, or when the bytes
   // unpacked so far exceed the limit in total.
   std::string unpacked(const std::string& name);
@@ -36,6 +37,7 @@ class KmzArchive {
 };
 
 // The archive with other bytes in one of its files, whose name it has; the others stay as they are.
+// Equal archives and bytes give equal bytes at any time, as that file is dated 1 January 1980.
 // Throws std::runtime_error when memory runs out.
 std::string repacked_zip(const std::string& zip, const std::string& name, const std::string& bytes);
 

@@ -34,6 +34,13 @@ std::string closed(ZipHandle archive, zip_source_t* packed) {
   return bytes;
 }
 
+// Dates a file 1 January 1980, so that equal documents give equal bytes at any time.
+bool set_first_day(const ZipHandle& archive, zip_int64_t index) {
+  constexpr zip_uint16_t first_day = 0x21;
+  return zip_file_set_dostime(archive.get(), static_cast<zip_uint64_t>(index), 0, first_day, 0) ==
+         0;
+}
+
 }  // namespace
 
 std::string pack_kmz(const std::string& kml, const std::vector<PackedFile>& others) {
@@ -56,12 +63,7 @@ std::string pack_zip(const std::vector<PackedFile>& files) {
         source == nullptr ? -1
                           : zip_file_add(archive.get(), name.c_str(), source, ZIP_FL_ENC_UTF_8);
     if (index < 0 && source != nullptr) zip_source_free(source);
-    // All files are dated 1 January 1980, so that equal documents give equal bytes at any time.
-    constexpr zip_uint16_t first_day = 0x21;
-    if (index < 0 || zip_file_set_dostime(archive.get(), static_cast<zip_uint64_t>(index), 0,
-                                          first_day, 0) != 0) {
-      fail(zip_get_error(archive.get()));
-    }
+    if (index < 0 || !set_first_day(archive, index)) fail(zip_get_error(archive.get()));
   }
   return closed(std::move(archive), packed.get());
 }
@@ -90,6 +92,7 @@ std::string repacked_zip(const std::string& zip, const std::string& name,
     if (source != nullptr) zip_source_free(source);
     fail(zip_get_error(archive.get()));
   }
+  if (!set_first_day(archive, index)) fail(zip_get_error(archive.get()));
   return closed(std::move(archive), packed.get());
 }
 

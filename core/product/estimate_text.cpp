@@ -256,13 +256,16 @@ std::string estimate_csv(const MissionEstimate& estimate, Instant mission_start)
   const auto utc = [&](const std::optional<double>& time_s) {
     return time_s ? format_utc(mission_start + from_seconds(*time_s)) : "";
   };
+  // New columns stand last, as some readers count them.
   std::string text =
       "rover_id,sequence,type,label,start_s,end_s,distance_m,energy_used_j,solar_j,charge_end,"
       "charge_min,sunlit_share_low,sunlit_share_high,earth_visible_share_low,"
       "earth_visible_share_high,end_s_low,end_s_high,energy_used_j_low,energy_used_j_high,"
-      "charge_end_low,charge_end_high,charge_min_low,charge_min_high,"
-      "start_s_low,start_s_high,"
-      "status,reason,start_utc,end_utc\n";
+      "charge_end_low,charge_end_high,charge_min_low,charge_min_high,status,reason,"
+      "start_utc,end_utc,start_s_low,start_s_high\n";
+  const auto range_cells = [](const std::optional<Expected>& range) {
+    return range ? fmt::format(",{},{}", range->low, range->high) : ",,";
+  };
   for (const EventEstimate& event : estimate.events) {
     text += fmt::format("{},{},{},{}", csv_cell(event.rover_id), event.sequence,
                         csv_cell(event.type), csv_cell(event.label));
@@ -274,12 +277,12 @@ std::string estimate_csv(const MissionEstimate& estimate, Instant mission_start)
          {event.sunlit_share, event.earth_visible_share, range_of(event.end_s, event.end_range_s),
           range_of(event.energy_used_j, event.energy_range_j),
           range_of(event.charge_end, event.charge_end_range),
-          range_of(event.charge_min, event.charge_min_range),
-          range_of(event.start_s, event.start_range_s)}) {
-      text += range ? fmt::format(",{},{}", range->low, range->high) : ",,";
+          range_of(event.charge_min, event.charge_min_range)}) {
+      text += range_cells(range);
     }
-    text += fmt::format(",{},{},{},{}\n", to_string(event.status), csv_cell(event.reason),
+    text += fmt::format(",{},{},{},{}", to_string(event.status), csv_cell(event.reason),
                         utc(event.start_s), utc(event.end_s));
+    text += range_cells(range_of(event.start_s, event.start_range_s)) + "\n";
   }
   return text;
 }

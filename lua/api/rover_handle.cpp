@@ -323,7 +323,8 @@ const HandleType& rover_handle_type() {
         "in `around` (list of RoverIds) where they are now. Gives { path = , legs = , "
         "length_m = , duration_s = , energy_j = , slope_max_rad = }, a leg with `waypoint` and "
         "`last_point` besides; or nil, why there is none, and the place nearest to the waypoint "
-        "that can be reached.",
+        "that can be reached (nil where none was looked for, as of a leg that is too long to "
+        "plan).",
         "fun(self: lsos.rover, waypoints: vec3[], settings?: { first?: integer, speed_mps?: "
         "number, slope_max_rad?: number, aim?: 'energy'|'risk', arrival_radius_m?: number, avoid?: "
         "vec3[], avoid_radius_m?: number, around?: string[] }): table?, string?, vec3?"},

@@ -44,25 +44,26 @@ void insert_run(std::vector<std::string>& arguments) {
                                    lsos::did_you_mean(first, known)));
 }
 
-// Options of the command that was given which its unknown ones may mean: a line each.
+// Options of the command that was given which its unknown ones may mean: a line each. Names are
+// compared without their dashes, which all of them have in common.
 std::string meant_options(const CLI::App& app) {
   std::string text;
   for (const CLI::App* command : app.get_subcommands()) {
     std::vector<std::string> known;
     for (const CLI::Option* option : command->get_options()) {
       if (option->get_group().empty()) continue;  // hidden
-      for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+      for (const std::string& name : option->get_lnames()) known.push_back(name);
     }
     std::vector<std::string> unknown = command->remaining();
     std::ranges::reverse(unknown);
     for (const std::string& argument : unknown) {
       if (!argument.starts_with("--")) continue;
       const std::string name = argument.substr(0, argument.find('='));
-      const std::string meant = lsos::did_you_mean(name, known);
-      if (!meant.empty()) {
-        text += fmt::format("{}: there is no such option of '{}'{}\n", name, command->get_name(),
-                            meant);
-      }
+      std::string meant = lsos::did_you_mean(std::string_view(name).substr(2), known);
+      if (meant.empty()) continue;
+      meant.insert(meant.find('\'') + 1, "--");
+      text +=
+          fmt::format("{}: there is no such option of '{}'{}\n", name, command->get_name(), meant);
     }
   }
   return text;

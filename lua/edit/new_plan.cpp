@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 
 #include "base/console.h"
@@ -12,18 +13,27 @@ namespace lsos {
 
 namespace {
 
+// The copy that a fault speaks of, by the line where its Placemark begins and its label; the end
+// for none. On one line may stand many events: a copy is at fault, as what was copied was without.
+CopyPlaces::const_iterator copy_of(const Fault& fault, const Plan& plan, const CopyPlaces& copies) {
+  int line = 0;
+  for (const PlanEvent& event : plan.events) {
+    if (event.place.line <= fault.place.line) line = std::max(line, event.place.line);
+  }
+  for (const PlanEvent& event : plan.events) {
+    const auto copy = copies.find(reference_to(event));
+    const bool is_its = event.place.line == line && copy != copies.end() &&
+                        fault.what.find("'" + event.label + "'") != std::string::npos;
+    if (is_its) return copy;
+  }
+  return copies.end();
+}
+
 // Faults of copies told at what was copied.
 Faults at_copied(const MissionFiles& edited, const CopyPlaces& copies) {
   Faults told;
   for (Fault fault : edited.faults.sorted()) {
-    const PlanEvent* its = nullptr;
-    for (const PlanEvent& event : edited.plan.events) {
-      const bool is_before = event.place.line <= fault.place.line;
-      if (is_before && (its == nullptr || event.place.line > its->place.line)) its = &event;
-    }
-    const bool is_its =
-        its != nullptr && fault.what.find("'" + its->label + "'") != std::string::npos;
-    const auto copied = is_its ? copies.find(reference_to(*its)) : copies.end();
+    const auto copied = copy_of(fault, edited.plan, copies);
     if (copied != copies.end()) {
       fault.place = copied->second;
       fault.what = fmt::format("its copy {}: {}", reference_text(copied->first), fault.what);

@@ -20,6 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 class Edit : public ::testing::Test {
  protected:
@@ -256,6 +257,19 @@ TEST_F(Edit, writes_nothing_where_the_new_plan_would_be_wrong) {
               HasSubstr("both.kml:" + std::to_string(line) + ": its copy B/30: Pause "));
   EXPECT_THAT(outcome.err, HasSubstr(": StopWhen = distance_to('B') < 10"));
   EXPECT_FALSE(fs::exists(new_plan_));
+}
+
+// In a document without line breaks the copy and what was copied begin on the same line.
+TEST_F(Edit, tells_faults_of_copies_at_what_was_copied_in_a_document_of_one_line) {
+  std::string text = kml(
+      {mission(), sev("A", "0,0"), sev("B", "0,0.001"),
+       event("Pause", "A", 10, {{"Duration", "60"}, {"StopWhen", "distance_to('B') &lt; 10"}})});
+  std::ranges::replace(text, '\n', ' ');
+  const std::string one = folder_.write("one.kml", text);
+  const Outcome outcome = edit(one, {"mirror", "--from", "A", "--to", "B"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("one.kml:1: its copy B/10: Pause "));
+  EXPECT_THAT(outcome.err, Not(HasSubstr("new.kml:1")));
 }
 
 TEST_F(Edit, tells_the_faults_of_a_wrong_plan) {

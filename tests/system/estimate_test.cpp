@@ -208,11 +208,13 @@ TEST(Estimate, says_what_becomes_of_an_event) {
   EXPECT_THAT(outcome.out, ::testing::ContainsRegex("A 4 'Pause 4' .*  never begins\n"));
   EXPECT_THAT(outcome.out, HasSubstr("start and end as day and hh:mm since the mission's start"));
   const std::string csv = read_text(folder / "events.csv");
-  EXPECT_THAT(csv, HasSubstr(",status,reason,start_utc,end_utc\n"));
+  EXPECT_THAT(
+      csv,
+      HasSubstr(",charge_min_high,status,reason,start_utc,end_utc,start_s_low,start_s_high\n"));
   EXPECT_THAT(
       csv, HasSubstr(",failed,timed out after 20 s; 40 s of it were left,2026-01-01T00:01:00.000Z,"
-                     "2026-01-01T00:01:20.000Z\n"));
-  EXPECT_THAT(csv, HasSubstr(",not_started,'Pause 3' failed,,\n"));
+                     "2026-01-01T00:01:20.000Z,60,60\n"));
+  EXPECT_THAT(csv, HasSubstr(",not_started,'Pause 3' failed,,,,\n"));
   const json answer = json::parse(run({"check", plan, "--json", "--quiet"}).out);
   std::vector<std::string> statuses;
   for (const json& event : answer.at("estimate")) statuses.push_back(event.at("status"));

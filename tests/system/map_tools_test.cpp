@@ -19,8 +19,8 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using ::testing::HasSubstr;
 
-// Hash of a plan, which is independent of how it is written, and its faults, without their lines
-// and sorted.
+// Hash of a plan, which is independent of how it is written, and its faults, with their severity,
+// without their lines and sorted.
 struct Checked {
   std::string hash;
   std::string faults;
@@ -32,7 +32,9 @@ Checked checked(const std::string& plan) {
   const json answer = json::parse(outcome.out, nullptr, false);
   if (answer.is_discarded()) return {"", outcome.out + outcome.err, false};
   std::vector<std::string> whats;
-  for (const json& fault : answer["faults"]) whats.push_back(fault["what"]);
+  for (const json& fault : answer["faults"]) {
+    whats.push_back(fault["severity"].get<std::string>() + ": " + fault["what"].get<std::string>());
+  }
   std::ranges::sort(whats);
   std::string faults;
   for (const std::string& what : whats) faults += what + "\n";
@@ -60,6 +62,7 @@ TEST(MapTools, shipped_plans_come_back_from_every_driver) {
       const Outcome outcome = save_again(plan, driver, out);
       ASSERT_EQ(outcome.exit_code, 0) << plan << "\n" << outcome.err;
       const Checked after = checked(out);
+      EXPECT_TRUE(after.is_valid) << plan << " by " << driver.name << "\n" << after.faults;
       EXPECT_EQ(after.faults, before.faults) << plan << " by " << driver.name;
       EXPECT_EQ(after.hash, before.hash) << plan << " by " << driver.name;
     }

@@ -18,6 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 const fs::path messages = repository() / "tests" / "messages";
 
@@ -108,6 +109,9 @@ TEST_P(OptionsMessage, is_as_expected) {
   const Outcome outcome = run(arguments, {.folder = folder.path()});
   EXPECT_EQ(outcome.exit_code, std::stoi(exit[0])) << outcome.err;
   for (const std::string& text : expected) EXPECT_THAT(outcome.err + outcome.out, HasSubstr(text));
+  for (const std::string& text : values(lines, "never: ")) {
+    EXPECT_THAT(outcome.err + outcome.out, Not(HasSubstr(text)));
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Messages, OptionsMessage,

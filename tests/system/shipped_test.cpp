@@ -30,6 +30,29 @@ bool has_scenario(const std::string& plan) {
   return fs::exists(repository() / "tests/scenarios" / (plan + ".lua"));
 }
 
+// What `check` warns of, by the plan's name; all else is a fault of the plan or of the program.
+TEST(ShippedPlan, is_told_nothing_unexpected) {
+  const std::map<std::string, std::vector<std::string>> expected{
+      {"drats_day",
+       {"DeployCA 'Mast up, A1 camp': by the estimate antenna 'Mast' of A is up from "
+        "2010-08-31T20:42:38.600Z to 2010-09-01T13:00:00.000Z and sees neither Earth nor another "
+        "end that it reaches; a higher place, another time or an asset that relays helps"}}};
+  for (const fs::path& plan : shipped_plans()) {
+    const Outcome outcome = run({"check", plan, "--json"});
+    const auto answer = nlohmann::json::parse(outcome.out, nullptr, false);
+    ASSERT_FALSE(answer.is_discarded()) << plan << "\n" << outcome.out << outcome.err;
+    std::vector<std::string> warnings;
+    for (const auto& fault : answer["faults"]) {
+      EXPECT_EQ(fault["severity"], "warning") << plan << "\n" << fault["what"];
+      warnings.push_back(fault["what"]);
+    }
+    EXPECT_TRUE(answer["is_valid"]) << plan;
+    const auto known = expected.find(plan.stem());
+    EXPECT_EQ(warnings, known == expected.end() ? std::vector<std::string>{} : known->second)
+        << plan;
+  }
+}
+
 TEST(ShippedPlan, completes) {
   for (const fs::path& plan : shipped_plans()) {
     if (has_scenario(plan.stem())) continue;

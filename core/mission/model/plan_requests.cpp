@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <vector>
 
 #include "mission/model/event_times.h"
 #include "mission/model/model_doubts.h"
@@ -47,40 +48,32 @@ void check_time_of_effect(const PlanEvent& event, const EventDeclaration& declar
   }
 }
 
-// Times of a rover's events after the mission's end: of many, as of days that are repeated beyond
-// it, the first is told and the others are counted.
-struct TimesAfterEnd {
-  const PlanEvent* first = nullptr;
-  std::string text;  // of the first
-  int more = 0;
-  Instant last{};
-  std::string last_label;
-
-  void add(const PlanEvent& event, Instant time, const std::string& its_text) {
-    if (first == nullptr) {
-      first = &event;
-      text = its_text;
-      last = time;
-      last_label = event.label;
-      return;
-    }
-    ++more;
-    if (time < last) return;
-    last = time;
-    last_label = event.label;
-  }
-  std::string whole_text() const {
-    if (more == 0) return text;
-    return text +
-           fmt::format("; nor {} of rover {}, up to {} of {}",
-                       more == 1 ? "does 1 more time" : fmt::format("do {} more times", more),
-                       quoted(first->rover_id), format_utc(last), quoted(last_label));
-  }
+// A time of an event after the mission's end.
+struct TimeAfterEnd {
+  const PlanEvent* event = nullptr;
+  Instant time{};
+  std::string text;
 };
+
+// Of many times of a rover's events, as of days that are repeated beyond the end, the earliest is
+// told and the others are counted.
+void warn_of_times(std::vector<TimeAfterEnd> times, Faults& faults) {
+  std::ranges::stable_sort(times, {}, &TimeAfterEnd::time);
+  const TimeAfterEnd &first = times.front(), &last = times.back();
+  std::string text = first.text;
+  const std::size_t more = times.size() - 1;
+  if (more > 0) {
+    text += fmt::format("; nor {} of rover {}, {}{} of {}",
+                        more == 1 ? "does 1 more time" : fmt::format("do {} more times", more),
+                        quoted(first.event->rover_id), more == 1 ? "" : "up to ",
+                        format_utc(last.time), quoted(last.event->label));
+  }
+  faults.warning(first.event->place, text);
+}
 
 void check_times(const Plan& plan, const Declarations& declarations, Faults& faults) {
   const MissionInfo& mission = plan.mission;
-  std::map<std::string, TimesAfterEnd> after_end;  // by rover
+  std::map<std::string, std::vector<TimeAfterEnd>> after_end;  // by rover
   for (const PlanEvent& event : plan.events) {
     if (!event.is_enabled) continue;
     const auto check = [&](const std::string& field, Instant time) {
@@ -93,12 +86,12 @@ void check_times(const Plan& plan, const Declarations& declarations, Faults& fau
             its + fmt::format("is {} before the mission's StartTime, {}: nothing waits for it",
                               span_text(at), format_utc(mission.start_time)));
       } else if (mission.has_max_duration && at > mission.max_duration) {
-        after_end[event.rover_id].add(
-            event, time,
-            its +
-                fmt::format("is {} after the mission's end by its MaxDuration, {}: it never comes",
-                            span_text(at - mission.max_duration),
-                            format_utc(mission.start_time + mission.max_duration)));
+        after_end[event.rover_id].push_back(
+            {&event, time,
+             its +
+                 fmt::format("is {} after the mission's end by its MaxDuration, {}: it never comes",
+                             span_text(at - mission.max_duration),
+                             format_utc(mission.start_time + mission.max_duration))});
       }
     };
     if (event.start_time) check("StartTime", *event.start_time);
@@ -109,9 +102,7 @@ void check_times(const Plan& plan, const Declarations& declarations, Faults& fau
       check(field.name, std::get<Instant>(value->second));
     }
   }
-  for (const auto& [rover_id, times] : after_end) {
-    faults.warning(times.first->place, times.whole_text());
-  }
+  for (const auto& [rover_id, times] : after_end) warn_of_times(times, faults);
 }
 
 // Lower bound of an event's driving time: straight from `at` through its points. `at`: place of the

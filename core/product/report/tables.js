@@ -62,7 +62,8 @@ function fillFindings() {
   // Without a summary the warnings are unknown.
   if (summary) place.append(warnings.length > 0
     ? box('warn', `${warnings.length} warning${warnings.length > 1 ? 's' : ''}`, list(warnings))
-    : box('good', 'No warnings', make('p', {}, 'Neither the plan’s checks nor the run had any.')));
+    : box('good', 'No warnings', make('p', {},
+      'Neither the plan as it was read nor the run had any; what the estimate foresees, lsos-host check says.')));
   // Assumptions are folded, as they are many and the same from run to run. On paper they are unfolded
   // and come last.
   if (summary && assumptions.length > 0) {

@@ -140,6 +140,34 @@ TEST(Mirror, renames_labels_that_have_the_rover_as_a_word) {
                   "SEV2/20 Pause 'SEV10 and SEV2's rest'", "SEV2/30 Pause 'XSEV1'"));
 }
 
+TEST(Mirror, swaps_both_rovers_in_labels) {
+  TestPlan plan(mission() + rover("SEV1") + rover("SEV2") + rover("SEV1-B") +
+                pause("SEV1 meets SEV2", "SEV1", 10) + pause("SEV1-B calls SEV2", "SEV1", 20) +
+                pause("SEV1-C, SEV1\u2019s \u2013SEV1\u2013", "SEV1", 30));
+  mirror(plan.document, {"SEV1", "SEV2"});
+  const Plan edited = plan.edited();
+  ASSERT_EQ(edited.events.size(), 6);
+  EXPECT_EQ(edited.events[3].label, "SEV2 meets SEV1");
+  EXPECT_EQ(edited.events[4].label, "SEV1-B calls SEV1");
+  EXPECT_EQ(edited.events[5].label, "SEV2-C, SEV2\u2019s \u2013SEV2\u2013");
+}
+
+TEST(Mirror, takes_letters_of_any_script_for_parts_of_words) {
+  TestPlan plan(mission() + rover("Mar") + rover("SEV2") + pause("Mar\u00e9e haute", "Mar", 10) +
+                pause("\u00e9Mar, Mar", "Mar", 20));
+  mirror(plan.document, {"Mar", "SEV2"});
+  EXPECT_THAT(listed_events(plan.edited()),
+              ElementsAre("Mar/10 Pause 'Mar\u00e9e haute'", "Mar/20 Pause '\u00e9Mar, Mar'",
+                          "SEV2/10 Pause 'Mar\u00e9e haute'", "SEV2/20 Pause '\u00e9Mar, SEV2'"));
+}
+
+TEST(Mirror, leaves_labels_where_an_id_is_one_letter) {
+  TestPlan plan(mission() + rover("SEV1") + rover("B") + pause("SEV1 tries plan B", "SEV1", 10) +
+                pause("B", "B", 10));
+  mirror(plan.document, {"SEV1", "B"});
+  EXPECT_EQ(plan.edited().events.back().label, "SEV1 tries plan B");
+}
+
 TEST(Coordinates, move_with_their_altitudes_and_blanks) {
   const Body& moon = *find_body("Moon");
   EXPECT_EQ(moved_coordinates("31.0,20 \n 31.5 , 20.5,7", moon, {0, 0}),

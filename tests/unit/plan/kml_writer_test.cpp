@@ -133,5 +133,11 @@ TEST(PackedZip, keeps_what_stands_before_the_file_that_is_replaced) {
   EXPECT_EQ(archive.unpacked("last.png"), "z");
 }
 
+TEST(PackedZip, has_no_date_of_the_day_on_which_it_is_written) {
+  const std::string zip = pack_zip({{"doc.kml", "old"}, {"last.png", "y"}});
+  EXPECT_EQ(repacked_zip(zip, "doc.kml", "newer"),
+            pack_zip({{"doc.kml", "newer"}, {"last.png", "y"}}));
+}
+
 }  // namespace
 }  // namespace lsos
