@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "base/rounding.h"
 #include "mission/estimate/event_ranges.h"
 
 namespace lsos {
@@ -11,7 +11,6 @@ namespace lsos {
 namespace {
 
 constexpr double day_s = 86400;
-constexpr double infinite = std::numeric_limits<double>::infinity();
 // Charges that differ by less are the same.
 constexpr double same_charge = 1e-9;
 
@@ -55,13 +54,14 @@ Doubt charge_doubt_at(const DayEstimate& day, const std::vector<EventEstimate>& 
   const EventEstimate* under_way = nullptr;
   for (const EventEstimate& event : events) {
     if (event.rover_id != day.rover_id || !event.start_s || !event.end_s) continue;
-    if (*event.end_s <= time_s && *event.end_s > last_s) {
-      last_s = *event.end_s;
+    const double start_s = *event.start_s, end_s = *event.end_s;
+    if (end_s <= time_s && end_s > last_s) {
+      last_s = end_s;
       doubt = doubt_of(event.charge_end, event.charge_end_range);
     }
     // Where several are, as one takes effect without a turn beside another, the longest counts.
-    const bool is_under_way = *event.start_s<time_s&& * event.end_s> time_s;
-    if (is_under_way && (!under_way || *event.end_s > *under_way->end_s)) under_way = &event;
+    const bool is_under_way = start_s < time_s && time_s < end_s;
+    if (is_under_way && (!under_way || end_s > *under_way->end_s)) under_way = &event;
   }
   if (!under_way) return doubt;
   const double share = (time_s - *under_way->start_s) / (*under_way->end_s - *under_way->start_s);

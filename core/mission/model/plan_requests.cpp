@@ -55,8 +55,8 @@ struct TimeAfterEnd {
   std::string text;
 };
 
-// Of many times of a rover's events, as of days that are repeated beyond the end, the earliest is
-// told and the others are counted.
+// The earliest time of a rover's events is told and the others are counted: days that are repeated
+// beyond the end have many.
 void warn_of_times(std::vector<TimeAfterEnd> times, Faults& faults) {
   std::ranges::stable_sort(times, {}, &TimeAfterEnd::time);
   const TimeAfterEnd &first = times.front(), &last = times.back();
