@@ -87,13 +87,16 @@ TEST_F(ClusterScript, of_slurm_goes_back_into_the_queue_only_where_that_helps) {
   EXPECT_THAT(notes(), Not(HasSubstr("requeue"))) << "it was done";
 }
 
-// As at the end of a task's time, when the cases have not stopped yet.
-TEST_F(ClusterScript, of_slurm_goes_back_though_it_is_told_twice) {
-  const std::string file = script("slurm");
-  write_program("cases", R"(trap 'sleep 0.3; exit 143' TERM
+// Cases that have not stopped yet when the second of two signals comes.
+constexpr const char* slow_to_stop = R"(trap 'sleep 0.3; exit 143' TERM
 : > "$NOTES.waits"
 for i in $(seq 600); do sleep 0.1; done
-)");
+)";
+
+// As at the end of a task's time.
+TEST_F(ClusterScript, of_slurm_goes_back_though_it_is_told_twice) {
+  const std::string file = script("slurm");
+  write_program("cases", slow_to_stop);
   temp_write("notes.state", "TimeLimit\n");
   EXPECT_EQ(signalled(file, "143", {SIGUSR1, SIGTERM}).exit_code, 143);
   EXPECT_THAT(notes(), HasSubstr("scontrol requeue 7_1"));
@@ -102,6 +105,7 @@ for i in $(seq 600); do sleep 0.1; done
 // The words are those of Slurm 22.05.
 TEST_F(ClusterScript, of_slurm_knows_why_it_is_ended) {
   const std::string file = script("slurm");
+  write_program("cases", slow_to_stop);
   const auto goes_back = [&](const std::string& state, const std::vector<int>& signals) {
     temp_write("notes.state", state);
     EXPECT_EQ(signalled(file, "143", signals).exit_code, 143);
