@@ -8,6 +8,7 @@
 #include "base/quantity.h"
 #include "plan/suggestions.h"
 #include "planet/body.h"
+#include "planet/place_text.h"
 #include "planet/site_frame.h"
 
 namespace lsos {
@@ -75,6 +76,11 @@ void set_point(PlanDocument& document, const PlanMark& mark, const std::string& 
   const std::vector<KmlElement> places = coordinates_of(mark.element);
   if (places.size() != 1) refuse(document, mark);
   set_text(places.front(), coordinates);
+}
+
+void keep_site(PlanDocument& document) {
+  if (document.plan().mission.site) return;
+  document.set_field(document.mission(), "Site", lon_lat_text(site_of(document.plan())));
 }
 
 void set_line_ends(PlanDocument& document, const PlanMark& mark, const std::string& first,

@@ -21,6 +21,10 @@ void move_places(PlanDocument& document, const PlanMark& mark, const Vec2& offse
 // where it stands in no <coordinates>.
 void set_point(PlanDocument& document, const PlanMark& mark, const std::string& coordinates);
 
+// Writes the mission's Site where the plan has none: x, y and generated ground stay where they are,
+// though the first rover is to start elsewhere.
+void keep_site(PlanDocument& document);
+
 // Puts other ends in place of those of a line; "": that end stays. Altitudes are left out. Throws
 // InputError where it stands in no <coordinates>.
 void set_line_ends(PlanDocument& document, const PlanMark& mark, const std::string& first,

@@ -6,6 +6,7 @@
 #include "mission/ahead/ground_end_warnings.h"
 #include "mission/model/site.h"
 #include "mission/simulation.h"
+#include "planet/place_text.h"
 
 namespace lsos {
 
@@ -35,11 +36,15 @@ std::vector<std::string> Simulation::assumptions() const {
   for (const auto& [type, model] : setup_.asset_models) add(model.assumptions);
   if (sunlight_) add(sunlight_->assumptions());
   if (setup_.terrain.is_synthetic) {
+    const MissionInfo& mission = setup_.plan.mission;
     const bool is_placed = std::holds_alternative<ReliefSurface>(setup_.terrain.layers.back());
-    assumptions.push_back(fmt::format("{}: the terrain is synthetic{}", setup_.terrain.name,
-                                      is_placed
-                                          ? ": landforms at their places, no measured heights"
-                                          : " and laid out from the start of the first rover"));
+    std::string where = " and laid out from the start of the first rover";
+    if (mission.site || mission.earlier_site) {
+      where = fmt::format(" and laid out from {}", lon_lat_text(site_of(setup_.plan)));
+    }
+    if (is_placed) where = ": landforms at their places, no measured heights";
+    assumptions.push_back(
+        fmt::format("{}: the terrain is synthetic{}", setup_.terrain.name, where));
   }
   return assumptions;
 }

@@ -317,12 +317,16 @@ std::vector<Geodetic> with_decimal_commas(const std::string& coordinates) {
   return places;
 }
 
-void check_far_places(const std::vector<DraftEvent>& drafts, const std::vector<PlanRover>& rovers,
-                      const std::vector<PlanAsset>& assets, const PlanGaps& gaps, const Body& body,
-                      Faults& faults) {
+void check_far_places(const std::vector<DraftEvent>& drafts, const MissionInfo& mission,
+                      const std::vector<PlanRover>& rovers, const std::vector<PlanAsset>& assets,
+                      const PlanGaps& gaps, Faults& faults) {
+  const Body& body = *mission.planet;
   const auto first = std::ranges::find_if(
       rovers, [&](const PlanRover& rover) { return !gaps.unplaced_rovers.contains(rover.id); });
   if (first != rovers.end()) {
+    if (mission.site) {
+      check_start(body, *first, *mission.site, mission.place, "MissionInfo: Site", faults);
+    }
     for (const PlanRover& rover : rovers) {
       if (gaps.unplaced_rovers.contains(rover.id)) continue;
       check_start(body, *first, rover.start, rover.place, fmt::format("Rover '{}'", rover.id),

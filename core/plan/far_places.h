@@ -20,10 +20,10 @@ std::string exchanged_text(const Body& body, const Geodetic& from, const Geodeti
 // decimal comma ("31,5 12,25": 31.5,12.25). Empty where they cannot be read so.
 std::vector<Geodetic> with_decimal_commas(const std::string& coordinates);
 
-// Warns of each drive with a waypoint improbably far from the place before it, and of each rover
-// and asset improbably far from the first rover's start.
-void check_far_places(const std::vector<DraftEvent>& drafts, const std::vector<PlanRover>& rovers,
-                      const std::vector<PlanAsset>& assets, const PlanGaps& gaps, const Body& body,
-                      Faults& faults);
+// Warns of each drive with a waypoint improbably far from the place before it, and of each rover,
+// asset and Site improbably far from the first rover's start. The mission must have a planet.
+void check_far_places(const std::vector<DraftEvent>& drafts, const MissionInfo& mission,
+                      const std::vector<PlanRover>& rovers, const std::vector<PlanAsset>& assets,
+                      const PlanGaps& gaps, Faults& faults);
 
 }  // namespace lsos

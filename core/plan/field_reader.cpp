@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "base/quantity.h"
@@ -54,10 +55,22 @@ bool is_inside(const FieldDeclaration& declaration, double value_si) {
   return (!min || value_si >= *min) && (!max || value_si <= *max);
 }
 
+// The limit where the value is one but for the rounding of its unit's conversion, else the value:
+// 0.036 km/h are 0.01 m/s, and 2e-18 less as a double.
+double or_limit(const FieldDeclaration& declaration, double value_si) {
+  constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+  for (const std::optional<double>& limit_si : {declaration.min_si, declaration.max_si}) {
+    if (limit_si && std::abs(value_si - *limit_si) <= rounding * std::abs(*limit_si)) {
+      return *limit_si;
+    }
+  }
+  return value_si;
+}
+
 // Whether a field may have the text, a number with its unit.
 bool is_allowed(const FieldDeclaration& declaration, const std::string& text, const Unit& unit) {
   const Parsed<double> parsed = parse_quantity(text, unit);
-  return parsed && is_inside(declaration, *parsed.value);
+  return parsed && is_inside(declaration, or_limit(declaration, *parsed.value));
 }
 
 // The value with at most ten digits.
@@ -296,7 +309,12 @@ void FieldReader::report(const SourceField& field, const std::string& what) {
 std::optional<FieldValue> FieldReader::parse(const FieldDeclaration& declaration,
                                              const SourceField& field) {
   Parsed<FieldValue> result = parsed(declaration, field.text);
-  if (result) result.why = range_fault(declaration, *result.value, field.text);
+  if (result) {
+    if (auto* number = std::get_if<double>(&*result.value)) {
+      *number = or_limit(declaration, *number);
+    }
+    result.why = range_fault(declaration, *result.value, field.text);
+  }
   if (result.why.empty()) {
     if (const std::string advice = bare_number_advice(declaration, *result.value, field.text);
         !advice.empty()) {

@@ -9,6 +9,7 @@
 #include "base/quantity.h"
 #include "base/resolved_path.h"
 #include "plan/suggestions.h"
+#include "planet/place_text.h"
 
 namespace lsos {
 
@@ -132,6 +133,11 @@ MissionInfo read_mission(const std::vector<PlanPlacemark>& missions, const ReadC
                                "lsos-host sweep makes the cases of a changed plan",
                                named));
     }
+  }
+  if (const auto* site = find_value<std::string>(values, "site")) {
+    const Parsed<Geodetic> place = parse_lon_lat(*site);
+    if (!place) fields.error("Site", place.why);
+    mission.site = place.value;
   }
   if (const auto* seed = find_value<std::int64_t>(values, "seed")) {
     mission.seed = static_cast<std::uint64_t>(*seed);

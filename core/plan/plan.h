@@ -48,9 +48,11 @@ struct MissionInfo {
   SimTime max_duration{366LL * 86400 * 1'000'000};
   bool has_max_duration = false;  // given in the plan; false: default_max_duration() gives it
   FailureDefault on_failure;      // of all rovers
-  // Origin of the site frame, about which generated ground is laid out, when the mission begins as
-  // another ended. Absent: the start of the first rover, see site_of().
+  // Origin of the site frame, about which generated ground is laid out, as written, at height 0.
+  // Absent: the start of the first rover, see site_of().
   std::optional<Geodetic> site = {};
+  // The same of the run with whose end the mission begins: it comes before `site`.
+  std::optional<Geodetic> earlier_site = {};
 };
 
 struct PlanRover {

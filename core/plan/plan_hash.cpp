@@ -50,6 +50,7 @@ void add_mission(Digest& digest, const MissionInfo& mission) {
   }
   if (!mission.soil.empty()) digest.text("soil", mission.soil);
   if (!mission.soil_variant.empty()) digest.text("soil_variant", mission.soil_variant);
+  if (mission.site) digest.place("site", *mission.site);
   digest.integer("seed", static_cast<std::int64_t>(mission.seed));
   digest.integer("log_interval", mission.log_interval.count());
   digest.integer("parked_log_interval", mission.parked_log_interval.count());

@@ -121,7 +121,9 @@ std::string excess_text(const Classified& ours) {
 }  // namespace
 
 const Geodetic& site_of(const Plan& plan) {
-  return plan.mission.site ? *plan.mission.site : plan.rovers.front().start;
+  const MissionInfo& mission = plan.mission;
+  if (mission.earlier_site) return *mission.earlier_site;
+  return mission.site ? *mission.site : plan.rovers.front().start;
 }
 
 const PlanRover* rover_of(const Plan& plan, const std::string& rover_id) {
@@ -204,7 +206,7 @@ Plan read_plan(const std::string& file, const KmlSource& source, const Declarati
   check_circles(drafts, declarations, faults);
   if (plan.mission.planet != nullptr) {
     check_stationary_points(drafts, plan.rovers, plan.gaps, *plan.mission.planet, faults);
-    check_far_places(drafts, plan.rovers, plan.assets, plan.gaps, *plan.mission.planet, faults);
+    check_far_places(drafts, plan.mission, plan.rovers, plan.assets, plan.gaps, faults);
   }
   find_open_drives(drafts, plan.gaps);
   std::erase_if(drafts, [](const DraftEvent& draft) { return !draft.is_read; });

@@ -34,6 +34,11 @@ void put(PlanDocument& document, const Draw& drawn) {
   const PlanMark& mark = mark_of(document, drawn.address);
   switch (drawn.address.what) {
     case Address::What::place:
+      // The ground of all cases is one.
+      if (drawn.address.of == Address::Of::rover &&
+          drawn.address.id == document.plan().rovers.front().id) {
+        keep_site(document);
+      }
       move_places(document, mark, drawn.offset_m);
       return;
     case Address::What::script_key: {

@@ -9,8 +9,6 @@
 #include "lua/edit/new_plan.h"
 #include "lua/edit/verb_table.h"
 #include "lua/host/mission_reader.h"
-#include "plan/plan.h"
-#include "planet/body.h"
 
 namespace lsos {
 
@@ -23,29 +21,6 @@ void check_new_file(const EditOptions& options) {
   faults.throw_if_errors();
 }
 
-// Generated ground is laid out about the start of the first rover, which an edit may change.
-std::string moved_ground(const MissionFiles& files, const MissionFiles& new_files) {
-  const TerrainSpec& terrain = files.terrain;
-  // What lies about a raster or a relief stays where it is.
-  bool is_placed = false, is_tilted = false;
-  for (const Surface& layer : terrain.layers) {
-    const auto* plane = std::get_if<PlaneSurface>(&layer);
-    is_placed |= plane == nullptr;
-    is_tilted |= plane != nullptr && plane->slope_rad != 0;
-  }
-  const bool is_laid_out = !is_placed && (terrain.detail || is_tilted);
-  const double moved_m =
-      surface_distance_m(*files.plan.mission.planet, site_of(files.plan), site_of(new_files.plan));
-  constexpr double same_place_m = 0.01;
-  if (!is_laid_out || moved_m <= same_place_m) return "";
-  return fmt::format(
-      "the ground of {} is laid out from the start of the first rover by RoverId, which is '{}' "
-      "now "
-      "and {:.0f} m from where it was: generated slopes, craters and rocks lie elsewhere than in "
-      "{}",
-      terrain.name, new_files.plan.rovers.front().id, moved_m, files.plan.file);
-}
-
 int edit_command(const EditOptions& options) {
   check_verb(options);
   check_new_file(options);
@@ -55,9 +30,6 @@ int edit_command(const EditOptions& options) {
   const MissionFiles new_files = read_new_plan(outcome.bytes, options.output, outcome.copies);
   write_file(options.output, outcome.bytes);
   tell_new_warnings(files.faults, new_files.faults);
-  if (const std::string moved = moved_ground(files, new_files); !moved.empty()) {
-    print_message("warning: {}\n", moved);
-  }
   for (const std::string& warning : outcome.warnings) print_message("warning: {}\n", warning);
   print_result("{}; wrote {}\n", outcome.what, options.output);
   return 0;

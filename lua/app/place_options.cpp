@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/quantity.h"
+#include "planet/place_text.h"
 
 namespace lsos {
 
@@ -42,18 +43,9 @@ std::vector<std::string> option_parts(const std::string& text) {
 
 std::optional<Geodetic> option_place(const std::string& option, const std::string& text,
                                      Faults& faults) {
-  const auto numbers = option_numbers(option, text, 2, "LON,LAT", faults);
-  if (!numbers) return {};
-  const double lon_deg = (*numbers)[0];
-  const double lat_deg = (*numbers)[1];
-  if (lon_deg >= -180 && lon_deg <= 360 && std::abs(lat_deg) <= 90) {
-    return geodetic_from_degrees(lon_deg, lat_deg);
-  }
-  const bool is_swapped = std::abs(lon_deg) <= 90 && lat_deg >= -180 && lat_deg <= 360;
-  faults.error({}, fmt::format("{} {}: a longitude of -180..360 and a latitude of -90..90 deg are "
-                               "allowed{}",
-                               option, text, is_swapped ? "; longitude comes first" : ""));
-  return {};
+  const Parsed<Geodetic> place = parse_lon_lat(text);
+  if (!place) faults.error({}, fmt::format("{} {}: {}", option, text, place.why));
+  return place.value;
 }
 
 std::optional<Geodetic> option_site(const std::string& option, const std::string& text,

@@ -22,6 +22,7 @@
 #include "lua/host/mission_reader.h"
 #include "mission/ahead/expected_begins.h"
 #include "plan/suggestions.h"
+#include "planet/place_text.h"
 #include "product/rover_days.h"
 
 namespace lsos {
@@ -197,6 +198,32 @@ std::string edit_enable(Editing& editing) { return set_enabled(editing, true); }
 
 std::string edit_disable(Editing& editing) { return set_enabled(editing, false); }
 
+namespace {
+
+// Generated ground is laid out about the site of its plan. Tells where that of a plan which is
+// taken up comes to lie elsewhere; "" where it stays.
+std::string moved_ground(const MissionFiles& other, const Plan& into) {
+  const TerrainSpec& terrain = other.terrain;
+  // What lies about a raster or a relief stays where it is.
+  bool is_placed = false, is_tilted = false;
+  for (const Surface& layer : terrain.layers) {
+    const auto* plane = std::get_if<PlaneSurface>(&layer);
+    is_placed |= plane == nullptr;
+    is_tilted |= plane != nullptr && plane->slope_rad != 0;
+  }
+  const bool is_laid_out = !is_placed && (terrain.detail || is_tilted);
+  const Geodetic &there = site_of(other.plan), &here = site_of(into);
+  const double moved_m = surface_distance_m(*into.mission.planet, there, here);
+  constexpr double same_place_m = 0.01;
+  if (!is_laid_out || moved_m <= same_place_m) return "";
+  return fmt::format(
+      "{}: the ground of {} was laid out from {}, and is from {} now, {:.0f} m away, as in {}: "
+      "generated slopes, craters and rocks lie elsewhere for its rovers",
+      other.plan.file, terrain.name, lon_lat_text(there), lon_lat_text(here), moved_m, into.file);
+}
+
+}  // namespace
+
 std::string edit_merge(Editing& editing) {
   const EditOptions& options = editing.options;
   if (options.arguments.empty()) {
@@ -213,6 +240,9 @@ std::string edit_merge(Editing& editing) {
                                                        other.plan, other.catalog->declarations()));
     erase_notes(*documents.back());
     others.push_back(documents.back().get());
+    if (std::string moved = moved_ground(other, editing.files.plan); !moved.empty()) {
+      editing.warnings.push_back(std::move(moved));
+    }
   }
   const Merged merged = Merger(editing.document, others).run();
   append(editing.warnings, merged.warnings);

@@ -10,6 +10,7 @@
 #include "base/units.h"
 #include "lua/host/run_mission.h"
 #include "mission/model/site.h"
+#include "planet/place_text.h"
 #include "product/run_end.h"
 
 namespace lsos {
@@ -20,7 +21,7 @@ using RunValues = std::map<std::string, std::string>;
 
 constexpr double place_off_m = 50;  // as for stationary events with a Point
 constexpr double heading_off_rad = 0.02;
-constexpr double same_height_m = 1e-3;
+constexpr double same_height_m = 1e-3, same_site_m = 1e-3;
 constexpr SimTime gap_least{1'000'000};
 
 std::string run_value(const RunValues& run, const std::string& key) {
@@ -42,6 +43,7 @@ class EndComparison {
   void compare() {
     compare_time();
     compare_ground();
+    compare_site();
     for (const PlanRover& rover : files_.plan.rovers) {
       const auto found = end_.rovers.find(rover.id);
       if (found == end_.rovers.end()) {
@@ -212,6 +214,16 @@ class EndComparison {
     for (const std::string& doubt : end.doubts) warn(rover.place, subject + doubt);
   }
 
+  void compare_site() {
+    const Geodetic& begun = site_of(then_);
+    if (!mission().site ||
+        surface_distance_m(*mission().planet, *mission().site, begun) < same_site_m) {
+      return;
+    }
+    warn(mission().place, fmt::format("MissionInfo: Site = {} is not used: it is {}, as in {}",
+                                      lon_lat_text(*mission().site), lon_lat_text(begun), folder_));
+  }
+
   std::string folder_;
   const RunEnd& end_;
   const RunValues& run_;
@@ -242,7 +254,7 @@ void begin_from(const std::string& folder, MissionFiles& files) {
   const RunEnd end = read_run_end(log);
   EndComparison(folder, end, run, then, files).compare();
   files.from = MissionStart{folder, log.sha256(), end.time, site_of(then), {}};
-  files.plan.mission.site = files.from->site;
+  files.plan.mission.earlier_site = files.from->site;
   for (const PlanRover& rover : files.plan.rovers) {
     const auto found = end.rovers.find(rover.id);
     if (found != end.rovers.end()) files.from->rovers[rover.id] = found->second.start;

@@ -29,7 +29,7 @@ void restore_site(const std::map<std::string, std::string>& run, Plan& plan) {
     throw InputError({}, fmt::format("layer 'run' of the log: {} and {} are no place", site_lon_key,
                                      site_lat_key));
   }
-  plan.mission.site = Geodetic{*lon_rad.value, *lat_rad.value, 0};
+  plan.mission.earlier_site = Geodetic{*lon_rad.value, *lat_rad.value, 0};
 }
 
 std::map<std::string, std::string> run_values(const MissionFiles& files,

@@ -29,10 +29,16 @@ TEST(ToldLimits, are_in_the_unit_that_was_written) {
   EXPECT_EQ(told_limits(0, 1, "1", "-1"), "must be from 0 to 1");
 }
 
-// 0.036 km/h is less than 0.01 m/s by the last bit.
-TEST(ToldLimits, are_in_the_fields_unit_where_the_other_has_none_that_is_allowed) {
-  EXPECT_EQ(told_limits(0.01, 20, "m/s", "0.036 km/h"), "must be from 0.01 m/s to 20 m/s");
+// 0.036 km/h is less than 0.01 m/s by the last bit of its conversion.
+TEST(ToldLimits, are_allowed_in_any_unit) {
+  EXPECT_EQ(told_limits(0.01, 20, "m/s", "0.035 km/h"), "must be from 0.036 km/h to 72 km/h");
+  EXPECT_EQ(told_limits(0.01, 20, "m/s", "0.036 km/h"), "");
   EXPECT_EQ(told_limits(0.01, 20, "m/s", "0.01 m/s"), "");
+  EXPECT_EQ(told_limits(0.01, 20, "m/s", "0.03599999 km/h"), "must be from 0.036 km/h to 72 km/h");
+}
+
+TEST(ToldLimits, are_in_the_fields_unit_where_they_have_many_digits_in_the_other) {
+  EXPECT_EQ(told_limits(0.1234567, 20, "m/s", "0.1 km/h"), "must be from 0.1234567 m/s to 20 m/s");
 }
 
 TEST(ToldLimits, are_allowed_where_they_are_rounded) {

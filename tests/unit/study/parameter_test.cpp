@@ -127,6 +127,23 @@ TEST(CasePlan, is_the_plan_with_the_values_of_the_case) {
   EXPECT_EQ(made.mission.seed, 7u);
 }
 
+// Generated ground is laid out about the start of the first rover: it must not go with it.
+TEST(CasePlan, moves_the_first_rover_over_the_same_ground) {
+  const StudyPlan plan;
+  const auto site_with = [&](const std::string& moved) {
+    const auto parameters = plan.parameters({vary(moved, Form::within, {"100 m"})});
+    const std::string name = moved == "Rover A.Place" ? "Rover A.Place" : "Rover B.2.Place";
+    const Draw place = draw(parameters.front(), {{name + ".angle", 0.25}, {name + ".radius", 1}});
+    return plan.read(case_plan(plan.text, plan.plan, plan.known, {place}, {}));
+  };
+  const Geodetic& start = plan.plan.rovers[0].start;
+  const Plan first = site_with("Rover A.Place"), second = site_with("Rover B.2.Place");
+  EXPECT_NEAR(surface_distance_m(*first.mission.planet, first.rovers[0].start, start), 100, 0.01);
+  EXPECT_EQ(site_of(first).lon_rad, start.lon_rad);
+  EXPECT_EQ(site_of(first).lat_rad, start.lat_rad);
+  EXPECT_FALSE(second.mission.site);
+}
+
 TEST(CasePlan, moves_all_of_a_line) {
   const StudyPlan plan;
   auto parameters = plan.parameters({vary("out.Place", Form::within, {"100 m"})});
