@@ -248,6 +248,25 @@ TEST(BoundedList, long_text_of_one_script_makes_no_other_dearer) {
   EXPECT_THAT(outcome.out + outcome.err, Not(HasSubstr("cannot be used")));
 }
 
+// Each folder of scripts has limits of its own.
+TEST(BoundedPath, is_not_charged_with_scripts_of_the_plan) {
+  const TempFolder folder;
+  for (int i = 0; i < 200; ++i) {
+    folder.write(fmt::format("plan/events/L{}.lua", i), "for i = 1, 1e9 do end");
+  }
+  folder.write("plan/events/Zy.lua", event_begin + std::string("local text = 1") + event_end);
+  folder.write("site/events/Zz.lua", event_begin + std::string("local text = 1") + event_end);
+  const auto check = [&](const std::string& type) {
+    folder.write("plan/plan.kml", kml({mission(), sev("A", "31,20"), event(type, "A", 1, {})}));
+    return run_bounded({"check", "plan/plan.kml"},
+                       {.folder = folder.path(), .environment = {"LSOS_PATH=site"}});
+  };
+  EXPECT_THAT(check("Zy").out,
+              HasSubstr("Zy.lua: is not loaded: the scripts of a folder may take"));
+  const Outcome of_site = check("Zz");
+  EXPECT_EQ(of_site.exit_code, 0) << of_site.out << of_site.err;
+}
+
 TEST(BoundedPath, may_have_thousands_of_folders) {
   const TempFolder folder;
   std::string path = "LSOS_PATH=last";
