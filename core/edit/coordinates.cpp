@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/quantity.h"
+#include "plan/mission_reader.h"
 #include "plan/suggestions.h"
 #include "planet/body.h"
 #include "planet/place_text.h"
@@ -79,8 +80,8 @@ void set_point(PlanDocument& document, const PlanMark& mark, const std::string& 
 }
 
 void keep_site(PlanDocument& document) {
-  if (document.plan().mission.site) return;
-  document.set_field(document.mission(), "Site", lon_lat_text(site_of(document.plan())));
+  if (!document.field(document.mission(), site_field).empty()) return;
+  document.set_field(document.mission(), site_field, lon_lat_text(site_of(document.plan())));
 }
 
 void set_line_ends(PlanDocument& document, const PlanMark& mark, const std::string& first,

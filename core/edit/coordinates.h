@@ -21,8 +21,8 @@ void move_places(PlanDocument& document, const PlanMark& mark, const Vec2& offse
 // where it stands in no <coordinates>.
 void set_point(PlanDocument& document, const PlanMark& mark, const std::string& coordinates);
 
-// Writes the mission's Site where the plan has none: x, y and generated ground stay where they are,
-// though the first rover is to start elsewhere.
+// Writes the mission's SiteOrigin where the document has none: x, y and generated ground stay where
+// they are in its plan, though the first rover is to start elsewhere or another is the first.
 void keep_site(PlanDocument& document);
 
 // Puts other ends in place of those of a line; "": that end stays. Altitudes are left out. Throws

@@ -7,9 +7,9 @@
 #include <filesystem>
 
 #include "base/error.h"
-#include "edit/coordinates.h"
 #include "edit/event_names.h"
 #include "edit/references_edit.h"
+#include "plan/mission_reader.h"
 #include "plan/suggestions.h"
 
 namespace lsos {
@@ -100,7 +100,6 @@ void Merger::add(PlanDocument& other) {
   add_schemas(other);
   add_styles(other);
   add_features(other);
-  if (plan.rovers.front().id < document_.plan().rovers.front().id) keep_site(document_);
   for (const PlanRover& rover : plan.rovers) ids_[rover.id] = {plan.file, nullptr};
   merged_.rovers += static_cast<int>(plan.rovers.size());
   merged_.events += static_cast<int>(plan.events.size());
@@ -159,7 +158,7 @@ void Merger::keep_failure_rules(PlanDocument& other) {
 void Merger::warn_of_mission_fields(const PlanDocument& other) {
   for (const FieldDeclaration& field : mission_fields()) {
     constexpr std::array<std::string_view, 5> told{"Planet", "StartTime", "Terrain", "OnFailure",
-                                                   "Site"};
+                                                   site_field};
     if (std::ranges::find(told, field.name) != told.end()) continue;
     const std::string here = document_.field(document_.mission(), field.name);
     const std::string there = other.field(other.mission(), field.name);

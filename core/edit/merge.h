@@ -21,8 +21,7 @@ class Merger {
 
   // Takes up rovers, assets, events and decoration of the other plans, each in a folder of its own.
   // Schemas and styles that are there already are not taken twice, nor an asset that is the same.
-  // References by a label that several plans have become ROVER/SEQUENCE. The site stays that of the
-  // document. Throws InputError where
+  // References by a label that several plans have become ROVER/SEQUENCE. Throws InputError where
   // Planet, Terrain or StartTime differ, or a rover or asset of the same name is there already.
   Merged run();
 

@@ -121,7 +121,7 @@ class Splitter {
     constexpr double stays_m = 0.01;
     const bool has_moved =
         surface_distance_m(*plan_.mission.planet, begin.place, rover.start) > stays_m;
-    if (has_moved) move(rover, begin.place);
+    if (has_moved) set_point(document_, mark, coordinates_text(begin.place));
     if (has_moved || !rover.heading_rad) {
       const double heading_deg = std::fmod(degrees(begin.heading_rad) + 360, 360);
       document_.set_field(mark, "Heading", fmt::format("{:.2f}", heading_deg));
@@ -144,11 +144,6 @@ class Splitter {
     }
   }
 
-  void move(const PlanRover& rover, const Geodetic& place) {
-    if (rover.id == plan_.rovers.front().id) keep_site(document_);
-    set_point(document_, document_.rover(rover.id), coordinates_text(place));
-  }
-
   // Where the rover is drawn to be when the first day begins.
   void put(const PlanRover& rover) {
     std::optional<Geodetic> at;
@@ -162,7 +157,7 @@ class Splitter {
       vague = has_place && event.geometry.kind != GeometryKind::polygon ? nullptr : &event;
     }
     const PlanMark& mark = document_.rover(rover.id);
-    if (at) move(rover, *at);
+    if (at) set_point(document_, mark, coordinates_text(*at));
     if (at && !document_.field(mark, "Heading").empty()) document_.erase_field(mark, "Heading");
     if (vague != nullptr) {
       warn(fmt::format("Rover {}: where {} {} ends is not known; put its start where it is to be",

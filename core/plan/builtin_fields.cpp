@@ -94,7 +94,7 @@ const std::vector<FieldDeclaration>& mission_fields() {
             "own soil"),
       field("SoilVariant", "soil_variant", FieldKind::text,
             "changes to the numbers of the soil: cohesion_pa = 300; friction_rad = 35 deg"),
-      field("Site", "site", FieldKind::text,
+      field("SiteOrigin", "site_origin", FieldKind::text,
             "LON,LAT where x and y are 0 and from which generated ground is laid out; default the "
             "start of the first rover by RoverId"),
       in_range(with_default(field("Seed", "seed", FieldKind::integer, "of all random numbers"),

@@ -325,7 +325,7 @@ void check_far_places(const std::vector<DraftEvent>& drafts, const MissionInfo& 
       rovers, [&](const PlanRover& rover) { return !gaps.unplaced_rovers.contains(rover.id); });
   if (first != rovers.end()) {
     if (mission.site) {
-      check_start(body, *first, *mission.site, mission.place, "MissionInfo: Site", faults);
+      check_start(body, *first, *mission.site, mission.place, "MissionInfo: SiteOrigin", faults);
     }
     for (const PlanRover& rover : rovers) {
       if (gaps.unplaced_rovers.contains(rover.id)) continue;

@@ -21,7 +21,7 @@ std::string exchanged_text(const Body& body, const Geodetic& from, const Geodeti
 std::vector<Geodetic> with_decimal_commas(const std::string& coordinates);
 
 // Warns of each drive with a waypoint improbably far from the place before it, and of each rover,
-// asset and Site improbably far from the first rover's start. The mission must have a planet.
+// asset and SiteOrigin improbably far from the first rover's start. The mission must have a planet.
 void check_far_places(const std::vector<DraftEvent>& drafts, const MissionInfo& mission,
                       const std::vector<PlanRover>& rovers, const std::vector<PlanAsset>& assets,
                       const PlanGaps& gaps, Faults& faults);

@@ -134,9 +134,9 @@ MissionInfo read_mission(const std::vector<PlanPlacemark>& missions, const ReadC
                                named));
     }
   }
-  if (const auto* site = find_value<std::string>(values, "site")) {
+  if (const auto* site = find_value<std::string>(values, "site_origin")) {
     const Parsed<Geodetic> place = parse_lon_lat(*site);
-    if (!place) fields.error("Site", place.why);
+    if (!place) fields.error(site_field, place.why);
     mission.site = place.value;
   }
   if (const auto* seed = find_value<std::int64_t>(values, "seed")) {

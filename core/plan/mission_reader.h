@@ -14,6 +14,8 @@ namespace lsos {
 // The field of MissionInfo that names the plan of which this is a case.
 inline constexpr const char* case_of_field = "CaseOf";
 inline constexpr const char* case_digest_field = "CaseOfSha256";
+// From where x and y are counted.
+inline constexpr const char* site_field = "SiteOrigin";
 
 // Context that the readers of all kinds of Placemark share.
 struct ReadContext {

@@ -220,7 +220,14 @@ SiteFrame site_of(const LogReader& log, const Plan& plan) {
   log.for_each_sample([&](const SampleRow& row) {
     if (!first || (row.time == first->time && row.rover_id < first->rover_id)) first = row;
   });
-  return SiteFrame(*plan.mission.planet, first ? first->place : Geodetic{});
+  if (!first) return SiteFrame(*plan.mission.planet, {});
+  if (plan.rovers.empty()) return SiteFrame(*plan.mission.planet, first->place);
+  // Its height is not in the plan: a sample has its own above the body and above the site.
+  Geodetic origin = site_of(plan);
+  origin.height_m = 0;
+  const SiteFrame at_datum(*plan.mission.planet, origin);
+  origin.height_m = first->place.height_m - at_datum.geodetic(first->p_S_m).height_m;
+  return SiteFrame(*plan.mission.planet, origin);
 }
 
 void add_drawn(const Plan& plan, const SiteFrame& site, ReportData& data) {

@@ -67,9 +67,9 @@ constexpr std::array titles{
     ColumnTitle{"value", "Value"},
     ColumnTitle{"visible", "Visible", "1: antenna to antenna; Earth: its disc's centre"},
     ColumnTitle{"visible_fraction", "Visible share of Earth"},
-    ColumnTitle{"x_m", "East, m", "of the first rover's start"},
-    ColumnTitle{"y_m", "North, m", "of the first rover's start"},
-    ColumnTitle{"z_m", "Up, m", "from the first rover's start"},
+    ColumnTitle{"x_m", "East, m", "of the site: the first rover's start, or SiteOrigin"},
+    ColumnTitle{"y_m", "North, m", "of the site"},
+    ColumnTitle{"z_m", "Up, m", "from the ground at the site"},
 };
 
 }  // namespace

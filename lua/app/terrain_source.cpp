@@ -125,7 +125,7 @@ void print_default_site(const TerrainSource& source, const Geodetic& site) {
   if (!source.is_script || !(detail.craters || detail.rocks || detail.roughness)) return;
   print_message(
       "{}: its craters, rocks and roughness are placed about a site, here {:.6g},{:.6g}, as no "
-      "--site says which; a mission's site is the start of its first rover\n",
+      "--site says which; a mission's is its SiteOrigin, or the start of its first rover\n",
       source.spec.name, lon_deg(site), lat_deg(site));
 }
 

@@ -18,6 +18,7 @@
 #include "interchange/rover_places.h"
 #include "lua/edit/change_text.h"
 #include "lua/edit/imported_files.h"
+#include "lua/edit/kept_ground.h"
 #include "lua/edit/new_plan.h"
 #include "lua/host/mission_reader.h"
 #include "plan/suggestions.h"
@@ -176,6 +177,9 @@ std::string import_onto(const OntoOptions& options) {
       read_plan(options.plan, parse_kml(document.text(), options.plan), declarations, none);
   // What was checked is what is written.
   LSOS_ASSERT(none.has_errors() || edited.hash() == wanted.plan.hash());
+  if (const std::string kept = keep_ground(document, files); !kept.empty()) {
+    result.notes.push_back(kept.substr(kept.find_first_not_of("; ")));
+  }
   document.follow_rasters(options.output);
   // A document that says the same stays as it was to the last byte.
   const bool is_same = document.text() == text_before;

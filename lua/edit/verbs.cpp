@@ -19,10 +19,10 @@
 #include "edit/shift.h"
 #include "edit/split.h"
 #include "lua/edit/day_begins.h"
+#include "lua/edit/kept_ground.h"
 #include "lua/host/mission_reader.h"
 #include "mission/ahead/expected_begins.h"
 #include "plan/suggestions.h"
-#include "planet/place_text.h"
 #include "product/rover_days.h"
 
 namespace lsos {
@@ -198,32 +198,6 @@ std::string edit_enable(Editing& editing) { return set_enabled(editing, true); }
 
 std::string edit_disable(Editing& editing) { return set_enabled(editing, false); }
 
-namespace {
-
-// Generated ground is laid out about the site of its plan. Tells where that of a plan which is
-// taken up comes to lie elsewhere; "" where it stays.
-std::string moved_ground(const MissionFiles& other, const Plan& into) {
-  const TerrainSpec& terrain = other.terrain;
-  // What lies about a raster or a relief stays where it is.
-  bool is_placed = false, is_tilted = false;
-  for (const Surface& layer : terrain.layers) {
-    const auto* plane = std::get_if<PlaneSurface>(&layer);
-    is_placed |= plane == nullptr;
-    is_tilted |= plane != nullptr && plane->slope_rad != 0;
-  }
-  const bool is_laid_out = !is_placed && (terrain.detail || is_tilted);
-  const Geodetic &there = site_of(other.plan), &here = site_of(into);
-  const double moved_m = surface_distance_m(*into.mission.planet, there, here);
-  constexpr double same_place_m = 0.01;
-  if (!is_laid_out || moved_m <= same_place_m) return "";
-  return fmt::format(
-      "{}: the ground of {} was laid out from {}, and is from {} now, {:.0f} m away, as in {}: "
-      "generated slopes, craters and rocks lie elsewhere for its rovers",
-      other.plan.file, terrain.name, lon_lat_text(there), lon_lat_text(here), moved_m, into.file);
-}
-
-}  // namespace
-
 std::string edit_merge(Editing& editing) {
   const EditOptions& options = editing.options;
   if (options.arguments.empty()) {
@@ -246,8 +220,9 @@ std::string edit_merge(Editing& editing) {
   }
   const Merged merged = Merger(editing.document, others).run();
   append(editing.warnings, merged.warnings);
-  return fmt::format("{} and {} of {} merged", counted(merged.rovers, "rover"),
-                     counted(merged.events, "event"), counted(others.size(), "plan"));
+  return fmt::format("{} and {} of {} merged{}", counted(merged.rovers, "rover"),
+                     counted(merged.events, "event"), counted(others.size(), "plan"),
+                     keep_ground(editing.document, editing.files));
 }
 
 std::string edit_repeat(Editing& editing) {
@@ -316,8 +291,9 @@ std::string edit_split(Editing& editing) {
   if (choice.first_day > 1) wanted.begins = begins_of_day(editing, choice.first_day, days);
   const Split split = lsos::split(editing.document, wanted, days);
   append(editing.warnings, split.warnings);
-  return fmt::format("{} of day {} kept, {} left out{}", counted(wanted.events.size(), "event"),
-                     options.day, split.left_out, begins_text(wanted));
+  return fmt::format("{} of day {} kept, {} left out{}{}", counted(wanted.events.size(), "event"),
+                     options.day, split.left_out, begins_text(wanted),
+                     keep_ground(editing.document, editing.files));
 }
 
 std::string edit_mirror(Editing& editing) {

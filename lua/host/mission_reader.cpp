@@ -184,8 +184,7 @@ void read_models(MissionFiles& files) {
     // The simulation checks this too, but it is constructed only for plans without errors.
     const bool is_placed = !files.plan.rovers.empty() && files.plan.gaps.unplaced_rovers.empty();
     if (mission.planet == nullptr || !is_placed || !files.faults.has_errors()) return;
-    drivable_ground_at(files.terrain, *mission.planet, files.plan.rovers.front().start,
-                       mission.seed);
+    mission_ground(files.terrain, files.plan);
   });
   add_script_warnings(*files.catalog, ScriptUse(*files.catalog, files.plan, files.terrain),
                       files.faults);

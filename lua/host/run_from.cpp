@@ -220,8 +220,9 @@ class EndComparison {
         surface_distance_m(*mission().planet, *mission().site, begun) < same_site_m) {
       return;
     }
-    warn(mission().place, fmt::format("MissionInfo: Site = {} is not used: it is {}, as in {}",
-                                      lon_lat_text(*mission().site), lon_lat_text(begun), folder_));
+    warn(mission().place,
+         fmt::format("MissionInfo: SiteOrigin = {} is not used: it is {}, as in {}",
+                     lon_lat_text(*mission().site), lon_lat_text(begun), folder_));
   }
 
   std::string folder_;

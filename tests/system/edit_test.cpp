@@ -107,24 +107,6 @@ TEST_F(Edit, leaves_out_the_estimate_of_the_old_plan) {
   EXPECT_EQ(read_text(new_plan_).find("lsos-estimate"), std::string::npos);
 }
 
-TEST_F(Edit, tells_where_generated_ground_moves) {
-  const auto on = [&](const char* terrain, const char* rover) {
-    Mark info = mission();
-    for (auto& [name, value] : info.fields) {
-      if (name == "Terrain") value = terrain;
-    }
-    return folder_.write(std::string(terrain) + rover + ".kml",
-                         kml({info, sev(rover, rover == std::string("01") ? "0.01,0" : "0,0"),
-                              event("Pause", rover, 10, {{"Duration", "60"}})}));
-  };
-  EXPECT_THAT(edit(on("Craters", "A"), {"merge", on("Craters", "01")}).err,
-              HasSubstr("Craters01.kml: the ground of Craters was laid out from 0.01,0, and is "
-                        "from 0,0 now, 303 m away, as in "));
-  EXPECT_THAT(read_text(new_plan_), HasSubstr("name=\"Site\">0,0<"))
-      << "though its first rover is '01'";
-  EXPECT_EQ(edit(on("Flat", "A"), {"merge", on("Flat", "01")}).err, "");
-}
-
 TEST_F(Edit, shift_wants_a_unit_and_tells_of_events_without_a_time) {
   EXPECT_THAT(edit(plan("drats_day"), {"shift", "--by", "1"}).err,
               HasSubstr("--by 1: its unit is wanted, as in '1 d', '1 h' or '1 min'"));
@@ -206,21 +188,6 @@ TEST_F(Edit, a_day_that_is_split_off_goes_as_in_the_whole_plan) {
     EXPECT_NEAR(difference("charge_end"), 0, 1e-5) << sequence;
   }
   EXPECT_LT(in_whole.at(40).at("charge_end"), 0.9) << "it is not that of a new rover";
-}
-
-TEST_F(Edit, a_day_that_is_split_off_has_the_ground_of_the_whole_plan) {
-  const auto on_craters = [](const std::string& text) {
-    return std::regex_replace(text, std::regex("\">Flat<"), "\">Craters<");
-  };
-  const std::string whole = folder_.write("whole.kml", on_craters(two_days("12 h")));
-  ASSERT_EQ(edit(whole, {"split", "--day", "2"}).exit_code, 0);
-  EXPECT_THAT(read_text(new_plan_), HasSubstr("name=\"Site\">"));
-  const auto in_whole = estimates(whole), alone = estimates(new_plan_);
-  ASSERT_EQ(alone.size(), 2u);
-  for (const auto& [sequence, event] : alone) {
-    EXPECT_NEAR(event.at("energy_used_j") / in_whole.at(sequence).at("energy_used_j"), 1, 1e-3)
-        << sequence;
-  }
 }
 
 TEST_F(Edit, a_rover_whose_event_goes_on_begins_as_it_ends) {

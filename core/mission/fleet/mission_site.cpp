@@ -35,8 +35,7 @@ MissionSite make_site(const SimulationSetup& setup) {
   const MissionInfo& mission = setup.plan.mission;
   LSOS_ASSERT(!setup.plan.rovers.empty());
   MissionSite site;
-  site.ground =
-      drivable_ground_at(setup.terrain, *mission.planet, site_of(setup.plan), mission.seed);
+  site.ground = mission_ground(setup.terrain, setup.plan);
   const double g_mps2 = gravity_mps2(*mission.planet, site.ground->site().origin());
   for (const PlanRover& rover : setup.plan.rovers) {
     site.vehicles[{rover.model(), rover.configuration}] =

@@ -9,33 +9,41 @@
 namespace lsos {
 
 std::unique_ptr<Ground> ground_at(const TerrainSpec& terrain, const Body& body,
-                                  const Geodetic& start, std::uint64_t seed) {
+                                  const Geodetic& site, std::uint64_t seed) {
   if (!terrain.planet.empty() && terrain.planet != body.name) {
     const bool is_of_beyond = terrain.beyond && terrain.beyond->names_planet;
     throw InputError(terrain.place, fmt::format("terrain {} lies on {}, the plan's Planet is {}",
                                                 is_of_beyond ? terrain.beyond->name : terrain.name,
                                                 terrain.planet, body.name));
   }
-  const SiteFrame datum(body, {start.lon_rad, start.lat_rad, 0});
-  const std::optional<double> elevation_m = Ground(terrain, datum, seed).elevation_m(start);
+  const SiteFrame datum(body, {site.lon_rad, site.lat_rad, 0});
+  const std::optional<double> elevation_m = Ground(terrain, datum, seed).elevation_m(site);
   if (!elevation_m) {
     throw InputError(
         terrain.place,
-        fmt::format("terrain {} has no ground at the first rover's start {:.6f},{:.6f}",
-                    terrain.name, lon_deg(start), lat_deg(start)));
+        fmt::format("terrain {} has no ground at {:.6f},{:.6f}, the site: where the first rover "
+                    "starts, or SiteOrigin of MissionInfo",
+                    terrain.name, lon_deg(site), lat_deg(site)));
   }
   return std::make_unique<Ground>(
-      terrain, SiteFrame(body, {start.lon_rad, start.lat_rad, *elevation_m}), seed);
+      terrain, SiteFrame(body, {site.lon_rad, site.lat_rad, *elevation_m}), seed);
 }
 
 std::unique_ptr<Ground> drivable_ground_at(const TerrainSpec& terrain, const Body& body,
-                                           const Geodetic& start, std::uint64_t seed) {
-  std::unique_ptr<Ground> ground = ground_at(terrain, body, start, seed);
-  if (const std::string slivers = ground->slivers(start); !slivers.empty()) {
+                                           const Geodetic& site, std::uint64_t seed) {
+  std::unique_ptr<Ground> ground = ground_at(terrain, body, site, seed);
+  if (const std::string slivers = ground->slivers(site); !slivers.empty()) {
     throw InputError(terrain.place, fmt::format("no rover can start at {:.6f},{:.6f}: {}",
-                                                lon_deg(start), lat_deg(start), slivers));
+                                                lon_deg(site), lat_deg(site), slivers));
   }
   return ground;
+}
+
+std::unique_ptr<Ground> mission_ground(const TerrainSpec& terrain, const Plan& plan) {
+  const MissionInfo& mission = plan.mission;
+  // Nothing need drive at a SiteOrigin.
+  const auto ground = mission.site ? ground_at : drivable_ground_at;
+  return ground(terrain, *mission.planet, site_of(plan), mission.seed);
 }
 
 Path3 on_ground_S_m(const std::vector<Geodetic>& points, const Ground& ground) {

@@ -11,15 +11,19 @@
 
 namespace lsos {
 
-// The ground in the east-north-up frame on its surface at `start`. Throws InputError, also when
-// the terrain lies on another body or has no ground at `start`.
+// The ground in the east-north-up frame on its surface at `site`. Throws InputError, also when
+// the terrain lies on another body or has no ground at `site`.
 std::unique_ptr<Ground> ground_at(const TerrainSpec& terrain, const Body& body,
-                                  const Geodetic& start, std::uint64_t seed);
+                                  const Geodetic& site, std::uint64_t seed);
 
-// The same; also throws InputError when the cells of the raster at `start` are slivers that no
-// rover drives on.
+// The same; also throws InputError when the cells of the raster at `site` are slivers that no rover
+// drives on.
 std::unique_ptr<Ground> drivable_ground_at(const TerrainSpec& terrain, const Body& body,
-                                           const Geodetic& start, std::uint64_t seed);
+                                           const Geodetic& site, std::uint64_t seed);
+
+// The ground about the plan's site, drivable there unless the plan says its SiteOrigin. The plan
+// must have a planet and a rover.
+std::unique_ptr<Ground> mission_ground(const TerrainSpec& terrain, const Plan& plan);
 
 // Waypoints on the ground, in the site frame. One off the terrain lies on the reference surface.
 Path3 on_ground_S_m(const std::vector<Geodetic>& points, const Ground& ground);

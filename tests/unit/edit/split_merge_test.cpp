@@ -2,7 +2,6 @@
 #include "edit/merge.h"
 #include "edit/split.h"
 #include "edit_fixture.h"
-#include "planet/place_text.h"
 
 namespace lsos::test {
 namespace {
@@ -52,21 +51,6 @@ TEST(Split, keeps_a_day_and_begins_with_it) {
                           HasSubstr("'run --from' begins with it")));
 }
 
-TEST(Split, stays_on_the_ground_of_the_whole) {
-  TestPlan plan(three_days());
-  ASSERT_EQ(plan.plan.rovers[0].id, "A");
-  lsos::split(plan.document, day_2(plan), plan.days());
-  const Geodetic site = site_of(plan.edited());
-  EXPECT_EQ(site.lon_rad, plan.plan.rovers[0].start.lon_rad);
-  EXPECT_EQ(site.lat_rad, plan.plan.rovers[0].start.lat_rad);
-}
-
-TEST(Split, keeps_the_site_that_the_plan_has) {
-  TestPlan plan(mission({{"Site", "31.5,20.5"}}) + three_days().substr(mission().size()));
-  lsos::split(plan.document, day_2(plan), plan.days());
-  EXPECT_EQ(lon_lat_text(site_of(plan.edited())), "31.5,20.5");
-}
-
 TEST(Split, rovers_begin_as_they_are_expected_to) {
   TestPlan plan(three_days());
   SplitDays days = day_2(plan);
@@ -111,7 +95,6 @@ TEST(Split, of_the_first_day_changes_no_rover) {
   const Plan edited = plan.edited();
   EXPECT_EQ(edited.rovers[0].heading_rad, plan.plan.rovers[0].heading_rad);
   EXPECT_EQ(edited.mission.start_time, plan.plan.mission.start_time);
-  EXPECT_FALSE(edited.mission.site) << "it is where it was without being said";
 }
 
 TEST(Split, leaves_out_a_goto_of_a_rover_that_leads_nowhere) {
@@ -145,24 +128,6 @@ class Merging : public ::testing::Test {
     return "";
   }
 };
-
-TEST_F(Merging, stays_on_the_ground_of_the_plan_that_takes_up) {
-  const auto site_with = [](const std::string& rover_id, const std::string& site) {
-    TestPlan plan(mission() + rover("B") + pause("", "B", 10));
-    TestPlan other(
-        mission({{"Site", site}}) +
-        placemark("", "#Rover", {{"RoverId", rover_id}, {"RoverType", "SEV"}}, point("31.001,20")) +
-        pause("", rover_id, 10));
-    EXPECT_THAT(merged(plan, other).warnings, ElementsAre());
-    const Plan edited = plan.edited();
-    EXPECT_EQ(edited.mission.site.has_value(), rover_id < "B");
-    return lon_lat_text(site_of(edited));
-  };
-  const std::string own = "31,20";
-  EXPECT_EQ(site_with("C", ""), own);
-  EXPECT_EQ(site_with("A", ""), own);
-  EXPECT_EQ(site_with("A", "31.002,20"), own);
-}
 
 TEST_F(Merging, takes_up_rovers_and_events_in_a_folder) {
   TestPlan plan(mission() + rover("A") + pause("work", "A", 10) +

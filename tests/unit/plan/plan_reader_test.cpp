@@ -101,7 +101,7 @@ TEST(PlanReader, what_lies_beyond_a_raster_counts_in_the_hash) {
 TEST(PlanReader, the_site_is_said_or_where_the_first_rover_starts) {
   const Plan silent = good(mission() + rover("B") + rover("A"));
   EXPECT_EQ(site_of(silent).lon_rad, silent.rovers[0].start.lon_rad);
-  Plan said = good(mission({{"Site", "31.01,20.5"}}) + rover("B") + rover("A"));
+  Plan said = good(mission({{"SiteOrigin", "31.01,20.5"}}) + rover("B") + rover("A"));
   EXPECT_EQ(site_of(said).lon_rad, geodetic_from_degrees(31.01, 20.5).lon_rad);
   EXPECT_EQ(site_of(said).lat_rad, geodetic_from_degrees(31.01, 20.5).lat_rad);
   EXPECT_NE(said.hash(), silent.hash());
