@@ -222,11 +222,14 @@ SiteFrame site_of(const LogReader& log, const Plan& plan) {
   });
   if (!first) return SiteFrame(*plan.mission.planet, {});
   if (plan.rovers.empty()) return SiteFrame(*plan.mission.planet, first->place);
-  // Its height is not in the plan: a sample has its own above the body and above the site.
+  // The plan does not say its height, which a sample's two places do. Each turn leaves a part of
+  // the error that is as small as the height beside the body's radius.
   Geodetic origin = site_of(plan);
   origin.height_m = 0;
-  const SiteFrame at_datum(*plan.mission.planet, origin);
-  origin.height_m = first->place.height_m - at_datum.geodetic(first->p_S_m).height_m;
+  for (int turn = 0; turn < 3; ++turn) {
+    const SiteFrame site(*plan.mission.planet, origin);
+    origin.height_m += first->place.height_m - site.geodetic(first->p_S_m).height_m;
+  }
   return SiteFrame(*plan.mission.planet, origin);
 }
 

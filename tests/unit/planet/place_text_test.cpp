@@ -13,7 +13,7 @@ TEST(LonLat, is_read_in_degrees) {
   const Parsed<Geodetic> place = parse_lon_lat(" 46.3 , -89.84 deg");
   ASSERT_TRUE(place) << place.why;
   EXPECT_EQ(place.value->lon_rad, geodetic_from_degrees(46.3, -89.84).lon_rad);
-  EXPECT_EQ(place.value->lat_rad, geodetic_from_degrees(46.3, -89.84).lat_rad);
+  EXPECT_DOUBLE_EQ(place.value->lat_rad, geodetic_from_degrees(46.3, -89.84).lat_rad);
   EXPECT_EQ(place.value->height_m, 0);
 }
 

@@ -144,6 +144,18 @@ TEST(CasePlan, moves_the_first_rover_over_the_same_ground) {
   EXPECT_FALSE(second.mission.site);
 }
 
+TEST(CasePlan, has_the_site_that_varies_though_the_first_rover_does_too) {
+  const StudyPlan plan;
+  const auto parameters =
+      plan.parameters({vary("Rover A.Place", Form::within, {"100 m"}),
+                       vary("MissionInfo.SiteOrigin", Form::list, {"31.2,20.1"})});
+  const std::map<std::string, double> shares{
+      {"Rover A.Place.angle", 0.25}, {"Rover A.Place.radius", 1}, {"MissionInfo.SiteOrigin", 0}};
+  const Plan made =
+      plan.read(case_plan(plan.text, plan.plan, plan.known, draws(parameters, shares), {}));
+  EXPECT_EQ(site_of(made).lon_rad, geodetic_from_degrees(31.2, 20.1).lon_rad);
+}
+
 TEST(CasePlan, moves_all_of_a_line) {
   const StudyPlan plan;
   auto parameters = plan.parameters({vary("out.Place", Form::within, {"100 m"})});
