@@ -24,7 +24,7 @@ Mark mission_on(const std::string& terrain, const Fields& more = {}) {
   return info;
 }
 
-// Of an estimate that may be a range.
+// The middle of a value of an estimate, which may be a range.
 double middle(const json& value) {
   if (value.is_number()) return value;
   return (double(value["low"]) + double(value["high"])) / 2;

@@ -98,18 +98,6 @@ TEST(PlanReader, what_lies_beyond_a_raster_counts_in_the_hash) {
   EXPECT_NE(plan.hash(), over_flat.hash());
 }
 
-TEST(PlanReader, the_site_is_said_or_where_the_first_rover_starts) {
-  const Plan silent = good(mission() + rover("B") + rover("A"));
-  EXPECT_EQ(site_of(silent).lon_rad, silent.rovers[0].start.lon_rad);
-  Plan said = good(mission({{"SiteOrigin", "31.01,20.5"}}) + rover("B") + rover("A"));
-  EXPECT_EQ(site_of(said).lon_rad, geodetic_from_degrees(31.01, 20.5).lon_rad);
-  EXPECT_EQ(site_of(said).lat_rad, geodetic_from_degrees(31.01, 20.5).lat_rad);
-  EXPECT_NE(said.hash(), silent.hash());
-  said.mission.earlier_site = geodetic_from_degrees(1, 2);
-  EXPECT_EQ(site_of(said).lat_rad, geodetic_from_degrees(1, 2).lat_rad)
-      << "that of the run with whose end it begins";
-}
-
 TEST(PlanReader, a_raster_inside_an_archive_is_left_to_gdal) {
   std::string text = mission() + rover();
   text.replace(text.find("Flat"), 4, "/vsizip//maps/rim.zip/rim.tif");
