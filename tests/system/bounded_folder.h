@@ -12,15 +12,17 @@
 #include <string>
 #include <vector>
 
+#include "support/sanitizer.h"
 #include "system/process.h"
 #include "system/temp_folder.h"
 
 namespace lsos::test {
 
-// Runs the program with 4 GB of address space; it is killed after two minutes, far more than it
-// takes.
+// Runs the program with 4 GB of address space, but for sanitizers, which take terabytes. It is
+// killed after two minutes, far more than it takes.
 inline Outcome run_bounded(const Words& arguments, const Surroundings& where) {
-  Words words{"prlimit", "--as=4200000000", "timeout", "-s", "KILL", "120"};
+  Words words{"timeout", "-s", "KILL", "120"};
+  if (!is_sanitized) words.insert(words.begin(), {"prlimit", "--as=4200000000"});
   const Words own = program(arguments);
   words.insert(words.end(), own.begin(), own.end());
   return run_command(words, where);
