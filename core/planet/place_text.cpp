@@ -53,7 +53,7 @@ Parsed<Geodetic> parse_lon_lat(const std::string& text) {
     return comma == std::string::npos ? std::nullopt : read_degrees(text.substr(from, count));
   };
   const std::optional<double> lon_deg = part(0, comma), lat_deg = part(comma + 1, text.size());
-  if (!lon_deg || !lat_deg) return {{}, "LON,LAT is wanted, in degrees"};
+  if (!lon_deg || !lat_deg) return {{}, "LON,LAT is wanted, in degrees, such as 31.5,20.25"};
   if (*lon_deg >= -180 && *lon_deg <= 360 && std::abs(*lat_deg) <= 90) {
     return {geodetic_from_degrees(*lon_deg, *lat_deg), ""};
   }

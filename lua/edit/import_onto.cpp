@@ -178,7 +178,7 @@ std::string import_onto(const OntoOptions& options) {
   // What was checked is what is written.
   LSOS_ASSERT(none.has_errors() || edited.hash() == wanted.plan.hash());
   if (const std::string kept = keep_ground(document, files); !kept.empty()) {
-    result.notes.push_back(kept.substr(kept.find_first_not_of("; ")));
+    result.notes.push_back(kept);
   }
   document.follow_rasters(options.output);
   // A document that says the same stays as it was to the last byte.

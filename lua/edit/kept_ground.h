@@ -10,8 +10,9 @@
 namespace lsos {
 
 // Writes SiteOrigin where the changed document would have generated ground elsewhere than `files`,
-// the plan that it was read from. Returns "; SiteOrigin = 31,20 keeps the ground where it was", or
-// "" where nothing moves or a SiteOrigin was there.
+// the plan that it was read from. Returns "SiteOrigin = 31,20 keeps the ground where it was"; that
+// it goes with the first rover, where the change takes a SiteOrigin away; or "" where nothing
+// moves.
 std::string keep_ground(PlanDocument& document, const MissionFiles& files);
 
 // Where the generated ground of a plan that another takes up comes to lie elsewhere; "" where it

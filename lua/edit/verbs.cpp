@@ -198,6 +198,16 @@ std::string edit_enable(Editing& editing) { return set_enabled(editing, true); }
 
 std::string edit_disable(Editing& editing) { return set_enabled(editing, false); }
 
+namespace {
+
+// "; SiteOrigin = 31,20 keeps the ground where it was", or "".
+std::string kept_text(Editing& editing) {
+  const std::string kept = keep_ground(editing.document, editing.files);
+  return kept.empty() ? "" : "; " + kept;
+}
+
+}  // namespace
+
 std::string edit_merge(Editing& editing) {
   const EditOptions& options = editing.options;
   if (options.arguments.empty()) {
@@ -222,7 +232,7 @@ std::string edit_merge(Editing& editing) {
   append(editing.warnings, merged.warnings);
   return fmt::format("{} and {} of {} merged{}", counted(merged.rovers, "rover"),
                      counted(merged.events, "event"), counted(others.size(), "plan"),
-                     keep_ground(editing.document, editing.files));
+                     kept_text(editing));
 }
 
 std::string edit_repeat(Editing& editing) {
@@ -292,8 +302,7 @@ std::string edit_split(Editing& editing) {
   const Split split = lsos::split(editing.document, wanted, days);
   append(editing.warnings, split.warnings);
   return fmt::format("{} of day {} kept, {} left out{}{}", counted(wanted.events.size(), "event"),
-                     options.day, split.left_out, begins_text(wanted),
-                     keep_ground(editing.document, editing.files));
+                     options.day, split.left_out, begins_text(wanted), kept_text(editing));
 }
 
 std::string edit_mirror(Editing& editing) {

@@ -103,6 +103,25 @@ TEST_F(KeptGround, of_a_plan_that_a_sheet_changes) {
   EXPECT_THAT(read_text(new_plan_), HasSubstr("name=\"SiteOrigin\">0,0<"));
 }
 
+TEST_F(KeptGround, of_a_tilted_plane) {
+  const Outcome outcome =
+      edit(with_rover("Slope", "A", "0,0"), {"merge", with_rover("Slope", "01", "0.01,0")});
+  EXPECT_THAT(outcome.out, HasSubstr("; SiteOrigin = 0,0 keeps the ground where it was"));
+}
+
+TEST_F(KeptGround, goes_with_the_rover_where_a_sheet_takes_its_site_away) {
+  const std::string plan = folder_.write(
+      "plan.kml", kml({mission_on("Craters", {{"SiteOrigin", "0.001,0"}}), sev("A", "0,0"),
+                       event("Pause", "A", 10, {{"Duration", "60"}})}));
+  const std::string sheet = folder_.write(
+      "sheet.csv", "Type,Rover,Sequence,SiteOrigin,Duration\nMissionInfo,,,,\nPause,A,10,,60\n");
+  const Outcome outcome = run({"import", sheet, "--onto", plan, "-o", new_plan_});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("without SiteOrigin generated ground is laid out from where "
+                                     "the first rover starts"));
+  EXPECT_THAT(read_text(new_plan_), Not(HasSubstr(">0.001,0<")));
+}
+
 TEST_F(KeptGround, has_its_site_in_every_format) {
   const std::string plan = folder_.write(
       "plan.kml", kml({mission_on("Craters", {{"SiteOrigin", "30.9612345678901,-19.5"}}),

@@ -19,7 +19,7 @@ TEST(LonLat, is_read_in_degrees) {
 
 TEST(LonLat, tells_what_is_allowed) {
   for (const char* text : {"", "46.3", "46.3,", "here,there", "46.3,1,2", "46,3 1,5", "1 m,2"}) {
-    EXPECT_EQ(parse_lon_lat(text).why, "LON,LAT is wanted, in degrees") << text;
+    EXPECT_EQ(parse_lon_lat(text).why, "LON,LAT is wanted, in degrees, such as 31.5,20.25") << text;
   }
   EXPECT_EQ(parse_lon_lat("-89.84,146.3").why,
             "a longitude of -180..360 and a latitude of -90..90 deg are allowed; longitude comes "
