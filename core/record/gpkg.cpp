@@ -221,8 +221,11 @@ void set_point(OGRFeature& feature, const std::optional<Geodetic>& place) {
 
 void set_line(OGRFeature& feature, const std::vector<Geodetic>& line) {
   auto geometry = std::make_unique<OGRLineString>();
+  // All at once: addPoint() copies what is there for each.
+  geometry->setNumPoints(static_cast<int>(line.size()));
+  int index = 0;
   for (const Geodetic& place : line) {
-    geometry->addPoint(lon_deg(place), lat_deg(place), place.height_m);
+    geometry->setPoint(index++, lon_deg(place), lat_deg(place), place.height_m);
   }
   feature.SetGeometryDirectly(geometry.release());
 }

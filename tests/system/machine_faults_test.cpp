@@ -184,7 +184,7 @@ TEST_F(MachineFault, of_the_surroundings_changes_nothing) {
 
 // A library that is loaded first makes the wall clock jump by months at each look.
 TEST_F(MachineFault, of_the_clock_changes_nothing) {
-  if (is_sanitized) GTEST_SKIP() << "its library must come first";
+  if (is_sanitized) GTEST_SKIP() << "the sanitizer's library must come first";
   folder_.write("clock.c", R"(
 #define _GNU_SOURCE
 #include <dlfcn.h>
