@@ -76,6 +76,8 @@ struct DriveMotor {
   double brake_torque_max_n_m = 0;
   double brake_stiffness_n_m_prad = 0;  // spring from the angle at which the brake closed
   double brake_damping_n_m_sprad = 0;
+
+  bool operator==(const DriveMotor&) const = default;
 };
 
 struct Wheel {

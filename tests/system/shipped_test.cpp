@@ -35,7 +35,7 @@ TEST(ShippedPlan, is_told_nothing_unexpected) {
   const std::map<std::string, std::vector<std::string>> expected{
       {"drats_day",
        {"DeployCA 'Mast up, A1 camp': by the estimate antenna 'Mast' of A is up from "
-        "2010-08-31T20:42:38.600Z to 2010-09-01T13:00:00.000Z and sees neither Earth nor another "
+        "2010-08-31T20:42:37.500Z to 2010-09-01T13:00:00.000Z and sees neither Earth nor another "
         "end that it reaches; a higher place, another time or an asset that relays helps"}}};
   for (const fs::path& plan : shipped_plans()) {
     const Outcome outcome = run({"check", plan, "--json"});

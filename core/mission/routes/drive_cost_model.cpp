@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/units.h"
 #include "mission/routes/soil_drive.h"
+#include "mission/routes/uneven_loads.h"
 #include "vehicle/drive_control.h"
 #include "vehicle/part_pose.h"
 #include "vehicle/single_wheel.h"
@@ -17,19 +19,15 @@ namespace {
 // rest, `clearance_share` of its clearance, `uneven_radii` of its smallest wheel.
 constexpr double tip_share = 0.6, usual_slip_max = 0.6, clearance_share = 0.3, uneven_radii = 1;
 
-// Resistance of rough ground as a share of the weight, for each metre of roughness: a constant
-// part, and a part that grows with the square of speed. Fitted to simulated drives of SEV and LRV
-// on LunarSouthPole (the test RoughGround says how well).
-constexpr double rough_share_1pm = 0.9, rough_share_s2pm3 = 0.12;
-// Pull of the wheels that climb bumps while others roll down, which cancels but for the losses in
-// the windings: its root mean square as a share of the weight, for each metre of roughness. Fitted
-// likewise.
-constexpr double rough_swing_1pm = 5;
+// What dampers take on rough ground: C v r / L^2 for each metre, with C that of all of them, r the
+// roughness and L the wheelbase, times this length. Fitted to simulated drives of SEV and LRV on
+// LunarSouthPole (the test RoughGround says how well).
+constexpr double damped_m = 2.2;
 // Rough ground tilts a rover by its height over half the track, and the more suddenly the faster
 // the rover passes its own wheelbase: the sine of the tilt that makes it slide to either side has
 // the standard deviation `rough_tilt_s2` * roughness * (speed / wheelbase)^2 / (track / 2). Fitted
 // to the times that SEV and LRV take over LunarSouthPole (PlannedTurns).
-constexpr double rough_tilt_s2 = 12, least_base_m = 0.1;
+constexpr double rough_tilt_s2 = 11, least_base_m = 0.1;
 
 // Static tipping angle: the slope at which the centre of mass stands above a side of the rectangle
 // of the wheels.
@@ -151,10 +149,12 @@ void add_corners(const VehicleConfig& vehicle, const std::vector<WheelDrive>& wh
   cost.rough_tilt_1pm = rough_tilt_s2 * passing_1ps * passing_1ps / (base_m.y() / 2);
   cost.arc_drag_jmprad =
       electrical_per_mechanical * mass_kg * speed2 * speed2 * cost.side_slip_s2pm;
-  cost.rough_jpm2 = electrical_per_mechanical * mass_kg * gravity_mps2 * rough_share_1pm;
-  cost.rough_js2pm4 = electrical_per_mechanical * mass_kg * gravity_mps2 * rough_share_s2pm3;
-  const double swinging_npm = mass_kg * gravity_mps2 * rough_swing_1pm;
-  cost.rough_loss_w_pm2 = winding_w_pn2 * swinging_npm * swinging_npm;
+  double damping_nspm = 0;
+  for (const LinkConfig& link : vehicle.links) {
+    if (link.joint == JointType::prismatic && link.spring) damping_nspm += link.spring->damping;
+  }
+  cost.rough_jspm3 =
+      electrical_per_mechanical * damped_m * damping_nspm / (base_m.x() * base_m.x());
   const double braking_s = cost.speed_mps / vehicle.acceleration_mps2 / 2;
   cost.stop_s = 2 * braking_s;
   if (!cost.soils.front().by_slope.empty()) {
@@ -174,19 +174,22 @@ DriveCost drive_cost(const VehicleConfig& vehicle, const std::vector<Soil>& soil
                      double gravity_mps2, double speed_mps, const GroundLimits& limits) {
   DriveCost cost;
   cost.limits.slip_max = limits.slip_max.value_or(usual_slip_max);
-  const std::vector<WheelDrive> wheels = wheels_of(vehicle);
-  for (const Soil& soil : soils) {
-    cost.soils.push_back(
-        soil_drive(vehicle, wheels, soil, gravity_mps2, speed_mps, cost.limits.slip_max));
-    if (soil.is_rigid && cost.soils.size() > 1)
-      raise_to_soil_cost(cost.soils.back(), cost.soils.front());
-  }
   const std::vector<Vec3> centres_B_m = centres_at_rest_B_m(vehicle);
   double radius_m = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < vehicle.links.size(); ++i) {
     if (!vehicle.links[i].wheel) continue;
     cost.wheels_B_m.push_back(centres_B_m[i + 1].head<2>());
     radius_m = std::min(radius_m, vehicle.links[i].wheel->radius_m);
+  }
+  cost.gravity_mps2 = gravity_mps2;
+  cost.uneven_1pm = uneven_load_1pm(vehicle, cost);
+  const std::vector<WheelDrive> wheels = wheels_of(vehicle);
+  const double slip_max = cost.limits.slip_max;
+  for (const Soil& soil : soils) {
+    SoilDrive drive = soil_drive(vehicle, wheels, soil, gravity_mps2, speed_mps, slip_max);
+    add_uneven_loads(drive, vehicle, wheels, soil, gravity_mps2, speed_mps, slip_max);
+    if (soil.is_rigid && !cost.soils.empty()) raise_to_soil_cost(drive, cost.soils.front());
+    cost.soils.push_back(std::move(drive));
   }
   const Vec2 half_m = vehicle.chassis_size_m.head<2>() / 2;
   for (int x = -1; x <= 1; ++x) {

@@ -186,7 +186,7 @@ std::optional<SingleWheelPoint> state_at_pull(const WheelSoil& wheel, double loa
 
 SoilDrive soil_drive(const VehicleConfig& vehicle, const std::vector<WheelDrive>& wheels,
                      const Soil& soil, double gravity_mps2, double speed_mps, double slip_max) {
-  SoilDrive drive{first_rad, step_rad, {}};
+  SoilDrive drive{first_rad, step_rad, {}, {}};
   for (int k = 0; k < rows_max; ++k) {
     const auto row = slope_drive(vehicle, wheels, soil, gravity_mps2, speed_mps, slip_max,
                                  first_rad + k * step_rad);
@@ -196,21 +196,22 @@ SoilDrive soil_drive(const VehicleConfig& vehicle, const std::vector<WheelDrive>
   return drive;
 }
 
+void raise_to(SlopeDrive& drive, const SlopeDrive& least) {
+  drive.energy_jpm = std::max(drive.energy_jpm, least.energy_jpm);
+  drive.lost_jpm = std::max(drive.lost_jpm, least.lost_jpm);
+  drive.spare_jpm = std::min(drive.spare_jpm, least.spare_jpm);
+  drive.speed_mps = std::min(drive.speed_mps, least.speed_mps);
+  drive.slip = std::max(drive.slip, least.slip);
+  drive.side_slip_s2pm = std::max(drive.side_slip_s2pm, least.side_slip_s2pm);
+  drive.side_grip_mps2 = std::min(drive.side_grip_mps2, least.side_grip_mps2);
+}
+
 void raise_to_soil_cost(SoilDrive& rock, const SoilDrive& soil) {
   const std::size_t rows = std::min(rock.by_slope.size(), soil.by_slope.size());
   rock.by_slope.resize(rows);
-  for (std::size_t k = 0; k < rows; ++k) {
-    rock.by_slope[k].energy_jpm =
-        std::max(rock.by_slope[k].energy_jpm, soil.by_slope[k].energy_jpm);
-    rock.by_slope[k].lost_jpm = std::max(rock.by_slope[k].lost_jpm, soil.by_slope[k].lost_jpm);
-    rock.by_slope[k].spare_jpm = std::min(rock.by_slope[k].spare_jpm, soil.by_slope[k].spare_jpm);
-    rock.by_slope[k].speed_mps = std::min(rock.by_slope[k].speed_mps, soil.by_slope[k].speed_mps);
-    rock.by_slope[k].slip = std::max(rock.by_slope[k].slip, soil.by_slope[k].slip);
-    rock.by_slope[k].side_slip_s2pm =
-        std::max(rock.by_slope[k].side_slip_s2pm, soil.by_slope[k].side_slip_s2pm);
-    rock.by_slope[k].side_grip_mps2 =
-        std::min(rock.by_slope[k].side_grip_mps2, soil.by_slope[k].side_grip_mps2);
-  }
+  for (std::size_t k = 0; k < rows; ++k) raise_to(rock.by_slope[k], soil.by_slope[k]);
+  rock.uneven.resize(std::min({rows, rock.uneven.size(), soil.uneven.size()}));
+  for (std::size_t k = 0; k < rock.uneven.size(); ++k) raise_to(rock.uneven[k], soil.uneven[k]);
 }
 
 }  // namespace lsos

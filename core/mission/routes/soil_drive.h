@@ -15,6 +15,8 @@ struct WheelDrive {
   Wheel wheel;
   std::optional<DriveMotor> motor;  // absent: it turns freely or, locked, not at all
   bool is_locked = false;
+
+  bool operator==(const WheelDrive&) const = default;
 };
 
 std::vector<WheelDrive> wheels_of(const VehicleConfig& vehicle);
@@ -28,6 +30,9 @@ std::optional<SingleWheelPoint> state_at_pull(const WheelSoil& wheel, double loa
 // than `slip_max` or its motor stalls, -40 to 40 degrees.
 SoilDrive soil_drive(const VehicleConfig& vehicle, const std::vector<WheelDrive>& wheels,
                      const Soil& soil, double gravity_mps2, double speed_mps, double slip_max);
+
+// Makes driving cost no less than `least`: what is worse of the two in each value.
+void raise_to(SlopeDrive& drive, const SlopeDrive& least);
 
 // A rock lies under one or two wheels while the others stand in the soil around it, so driving on
 // rock costs no less than on the soil.

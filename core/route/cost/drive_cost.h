@@ -36,6 +36,9 @@ struct SlopeDrive {
 struct SoilDrive {
   double first_rad = 0, step_rad = 0;
   std::vector<SlopeDrive> by_slope;
+  // The same slopes with the load of all wheels on half of them, as rough ground leaves it; empty
+  // where that is not known.
+  std::vector<SlopeDrive> uneven;
 
   // Steepest slope of the table; below `first_rad` where the table is empty.
   double last_rad() const {
@@ -44,6 +47,8 @@ struct SoilDrive {
   // Linear interpolation. Slopes beyond the table have the values of its ends, although nothing
   // climbs above last_rad(): check that first.
   SlopeDrive at(double slope_rad) const;
+  // The same with loads that are uneven to this share, see uneven_share().
+  SlopeDrive at(double slope_rad, double uneven_share) const;
   // Speed at which wheels without slip roll, from the table's level row: the requested rim speed
   // times rolling over rim radius, or what motors sustain.
   double rolling_speed_mps() const {
@@ -51,7 +56,7 @@ struct SoilDrive {
     return level.speed_mps / (1 - level.slip);
   }
 
-  void archive(Archive& a) { LSOS_ARCHIVE(a, first_rad, step_rad, by_slope); }
+  void archive(Archive& a) { LSOS_ARCHIVE(a, first_rad, step_rad, by_slope, uneven); }
 };
 
 // Limits on where the rover may stand and on how hard it may work.
@@ -66,6 +71,15 @@ struct DriveLimits {
   }
 };
 
+// Share of the way from even loads to half of the wheels that bear all, by the mean square of a
+// load's deviation over its mean. It is that square while no wheel leaves the ground; it grows more
+// slowly as wheels do, and beyond 1 as neighbouring axles bear unequal loads too. Fitted to SEV on
+// rough planes (the test RoughPlanes says how well).
+inline double uneven_share(double square) {
+  constexpr double lifting = 0.55;
+  return square / (1 + lifting * square);
+}
+
 struct DriveCost {
   std::vector<SoilDrive> soils;     // in the order of Ground::soils()
   std::vector<Vec2> wheels_B_m;     // contact points on level ground: ahead, left
@@ -77,12 +91,11 @@ struct DriveCost {
   // Speed from which the rover can stop on level ground; on a descent it is lowered so that the
   // stopping distance stays the same, see driving/slope_speed.h.
   double level_speed_mps = 1;
-  // Energy on rough ground at a speed v, per metre of route and per metre of `Stance::roughness_m`:
-  // rough_jpm2 + rough_js2pm4 v^2. Wheels that roll down from a bump give back less than those that
-  // climb one take.
-  double rough_jpm2 = 0, rough_js2pm4 = 0;
-  // Power that the motors' windings lose there, per square metre of roughness.
-  double rough_loss_w_pm2 = 0;
+  // Energy that the dampers of the suspension take on rough ground, per metre of route, per metre
+  // of `Stance::roughness_m` and per m/s of speed.
+  double rough_jspm3 = 0;
+  // Standard deviation of a wheel's load over its mean, per metre of `Stance::roughness_m`.
+  double uneven_1pm = 0;
   // Energy and time of stopping at a corner and setting off again.
   double stop_j = 0, stop_s = 0;
   // Energy of slowing down for an arc and speeding up again, from full speed to almost zero: the
@@ -110,6 +123,10 @@ struct DriveCost {
   // `Stance::roughness_m`.
   double rough_tilt_1pm = 0;
 
+  // uneven_share() of a place.
+  double uneven_share_at(double roughness_m) const {
+    return uneven_share(uneven_1pm * roughness_m * uneven_1pm * roughness_m);
+  }
   // Energy of a metre on the level, controllers included, J/m; 0 where its wheels cannot drive.
   double level_jpm() const;
 
@@ -117,8 +134,8 @@ struct DriveCost {
     LSOS_ARCHIVE(a, soils, wheels_B_m, underside_B_m, limits, turning_radius_min_m,
                  can_turn_on_spot, speed_mps, level_speed_mps, stop_j, stop_s, slow_j, speeding_kg,
                  turn_jprad, turn_sprad, steer_s, acceleration_mps2, arc_drag_jmprad,
-                 side_slip_s2pm, side_grip_mps2, gravity_mps2, rough_jpm2, rough_js2pm4,
-                 rough_loss_w_pm2, rough_tilt_1pm, idle_w, load_w);
+                 side_slip_s2pm, side_grip_mps2, gravity_mps2, rough_jspm3, uneven_1pm,
+                 rough_tilt_1pm, idle_w, load_w);
   }
 };
 

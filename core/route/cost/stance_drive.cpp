@@ -45,6 +45,17 @@ LimitedSpeed side_slip_limited(const SlopeDrive& drive, const Stance& stance,
           std::sqrt(std::max(0.0, variance))};
 }
 
+// Adds what uneven loads take of energy on this slope, and as many times the time.
+void count_uneven_loads(SlopeDrive& drive, const SoilDrive& soil, double pitch_rad, double share) {
+  if (share <= 0 || soil.uneven.empty()) return;
+  const SlopeDrive even = soil.at(pitch_rad), uneven = soil.at(pitch_rad, share);
+  drive.energy_jpm += uneven.energy_jpm - even.energy_jpm;
+  drive.lost_jpm += uneven.lost_jpm - even.lost_jpm;
+  drive.spare_jpm = std::max(0.0, drive.spare_jpm + uneven.spare_jpm - even.spare_jpm);
+  drive.speed_mps *= uneven.speed_mps / even.speed_mps;
+  drive.slip += uneven.slip - even.slip;
+}
+
 }  // namespace
 
 // Soil holds a rover up a slope by slipping downhill, whatever the heading. Slip across the route
@@ -70,6 +81,7 @@ SlopeDrive stance_drive(const DriveCost& cost, const Stance& stance) {
     drive.speed_mps =
         rolling_mps / std::sqrt(along * along + aside * aside * (1 - uphill * uphill));
   }
+  count_uneven_loads(drive, soil, stance.pitch_rad, cost.uneven_share_at(stance.roughness_m));
   // `braked_mps` limits the rim speed; the rover moves faster than its rims by the slip in the
   // table.
   const double braked_mps =
@@ -78,17 +90,15 @@ SlopeDrive stance_drive(const DriveCost& cost, const Stance& stance) {
   drive.speed_mps *= std::min(1.0, braked_mps / cost.speed_mps);
   const LimitedSpeed limited = side_slip_limited(drive, stance, cost);
   drive.speed_mps = limited.mean_mps;
-  const double speed2 = drive.speed_mps * drive.speed_mps;
   // The resistance X of bumps comes in bursts. Distributed exponentially about its mean m =
   // more_jpm, it exceeds gravity's spare energy s by E[max(0, X - s)] = m exp(-s / m) in the mean.
-  const double rough_m = stance.roughness_m;
-  more_jpm += (cost.rough_jpm2 + cost.rough_js2pm4 * speed2) * rough_m;
+  more_jpm += cost.rough_jspm3 * drive.speed_mps * stance.roughness_m;
   // A rover that keeps slowing down for side slip loses in its brakes what its drag does not take.
   const double drag_mps2 = (drive.energy_jpm - drive.lost_jpm) / cost.speeding_kg;
   more_jpm += cost.speeding_kg * limited.spread_m2ps2 / speed_change_m *
               std::max(0.0, 1 - drag_mps2 / cost.acceleration_mps2);
   if (more_jpm > 0) drive.energy_jpm += more_jpm * std::exp(-drive.spare_jpm / more_jpm);
-  drive.energy_jpm += (cost.idle_w + cost.rough_loss_w_pm2 * rough_m * rough_m) / drive.speed_mps;
+  drive.energy_jpm += cost.idle_w / drive.speed_mps;
   return drive;
 }
 

@@ -183,7 +183,7 @@ TEST(DriveSlack, grows_with_slip) {
 
 TEST(DriveSlack, of_a_line_is_that_of_its_slopes) {
   DriveCost cost;
-  cost.soils = {{-1, 0.5, {{0, 1, 1}, {0, 1, 1}, {0, 1, 1}, {0.6, 1, 1}, {0.6, 1, 1}}}};
+  cost.soils = {{-1, 0.5, {{0, 1, 1}, {0, 1, 1}, {0, 1, 1}, {0.6, 1, 1}, {0.6, 1, 1}}, {}}};
   EXPECT_NEAR(line_slack(cost, {{0, 0, 0}, {1, 0, 0}, {5, 0, 0}}).time_high, 1 + drive_time_error,
               1e-12);
   EXPECT_GT(line_slack(cost, {{0, 0, 0}, {5, 0, 2}}).time_high, 1.3);

@@ -14,7 +14,7 @@ inline constexpr double deg = std::numbers::pi / 180;
 
 inline DriveCost simple_rover() {
   DriveCost cost;
-  SoilDrive soil{-30 * deg, 5 * deg, {}};
+  SoilDrive soil{-30 * deg, 5 * deg, {}, {}};
   for (int k = 0; k <= 11; ++k) {
     const double slope_rad = soil.first_rad + k * soil.step_rad;
     soil.by_slope.push_back(
