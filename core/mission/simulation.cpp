@@ -280,6 +280,8 @@ std::optional<SimTime> Simulation::quiet_wake(const FleetRover& rover) const {
   if (sight_) at(sight_->wake());
   at(rover.agent->antennas().next_end(now_));
   if (setup_.is_estimate) at(foreseen_wake(fleet_, rover, now_));
+  const SimTime limbs_rest = rover.agent->limbs_move_until();
+  if (limbs_rest > now_) at(round_up_to_exchange(limbs_rest));
   if (wake) wake = std::max(*wake, now_ + exchange_period);
   return wake;
 }

@@ -68,6 +68,12 @@ void PostureControl::move_to(const std::vector<Vec3>& hubs_B_m, bool is_level, d
   wake();
 }
 
+double PostureControl::settling_s(double rate_share) const {
+  const double k = gains_ ? gains_->leveling_1ps : follow_1ps;
+  const double lag_s = std::log(std::max(1.0, rate_share / still_share)) / k;
+  return std::min(standing_max_s, lag_s + still_for_s);
+}
+
 void PostureControl::stand_on(const std::vector<Vec3>& hubs_B_m, bool is_level) {
   nominal_B_m_ = hubs_B_m;
   move_to(hubs_B_m, is_level, 0);

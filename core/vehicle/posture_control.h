@@ -61,6 +61,9 @@ class PostureControl {
   // nothing more is gained, and after this time in any case.
   static constexpr SimTime longest{60'000'000};
   bool is_adjusting() const { return is_adjusting_; }
+  // How long it goes on adjusting after a move at this share of the joints' greatest rates: limbs
+  // follow with a lag that decays exponentially.
+  double settling_s(double rate_share) const;
   // Begins to adjust again.
   void wake();
 

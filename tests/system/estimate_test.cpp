@@ -81,6 +81,26 @@ std::vector<Mark> a_day_out() {
           event("Pause", "A", 6, {{"Duration", "2 h"}})};
 }
 
+// Within 15 % although it is little: time in which limbs settle, and what their motors take.
+TEST(Estimate, of_a_stance_has_the_work_of_the_limbs) {
+  const std::vector<Mark> plan = {
+      mission({{"LogInterval", "1"}}),
+      {"Rover", {{"RoverId", "A"}, {"RoverType", "ATHLETE"}}, point("31,12")},
+      event("SetPosture", "A", 1, {{"Stance", "Stow"}}),
+      event("SetPosture", "A", 2, {{"Stance", "Drive"}}),
+      event("SetPosture", "A", 3, {{"Height", "0.6 m"}, {"Duration", "60 s"}})};
+  const PlanRun run(plan);
+  const json estimate = checked(run.folder, plan).at("estimate");
+  const json events = run.summary().at("events");
+  ASSERT_EQ(estimate.size(), 3u);
+  for (std::size_t k = 0; k < events.size(); ++k) {
+    const json &event = events[k], &expected = estimate[k];
+    const double used_j = event.at("energy_used_j"), end_s = event.at("end_s");
+    EXPECT_NEAR(middle(expected.at("energy_used_j")), used_j, energy_within * used_j) << k;
+    EXPECT_NEAR(middle(expected.at("end_s")), end_s, 0.05 * end_s) << k;
+  }
+}
+
 TEST(Estimate, of_times_energy_and_charge_is_near_what_is_simulated) {
   expect_as_simulated(a_day_out());
 }

@@ -72,8 +72,11 @@ void EstimateWatch::look(const Fleet& fleet, SimTime now) {
     pass(rover, agent, passed_s);
     Sums none;
     Sums& sums = rover.running ? rover.sums[*rover.running] : none;
-    if (rover.running && records[*rover.running].end && records[*rover.running].distance_m > 0) {
-      sums.meets = standing_at(fleet, k);
+    if (rover.running && records[*rover.running].end) {
+      const EventRecord& ended = records[*rover.running];
+      if (ended.distance_m > 0) sums.meets = standing_at(fleet, k);
+      const bool is_at_charge = rover.awaited_charge && ended.charge_end >= *rover.awaited_charge;
+      if (is_at_charge) sums.charging_w = std::max(0.0, rover.energy_rate_w);
     }
     if (rover.lit == 0) {
       extend(rover.is_stowed ? rover.shade.stowed : rover.shade.dark, seconds(last_), seconds(now));
@@ -83,6 +86,8 @@ void EstimateWatch::look(const Fleet& fleet, SimTime now) {
     find_earth(rover, agent, now, sums);
     rover.is_driving = agent.drive().is_carried();
     rover.is_turning = agent.power().is_panel_turning();
+    rover.awaited_charge = agent.power().claims().charge_awaited;
+    rover.energy_rate_w = agent.power().has_battery() ? agent.power().flows().energy_rate_w : 0;
     const std::optional<std::size_t> was_running = std::exchange(rover.running, {});
     while (rover.first < records.size() && records[rover.first].end) ++rover.first;
     for (std::size_t i = rover.first; i < records.size() && !rover.running; ++i) {
@@ -115,13 +120,15 @@ void EstimateWatch::pass(Watched& rover, const RoverAgent& agent, double passed_
   rover.held_lit.pass(passed_s, is_moving, running.lit);
   rover.held_seen.pass(passed_s, is_moving, running.seen);
   if (!std::isnan(rover.seen)) running.sight_s += passed_s;
+  running.loads_less_j += rover.loads_less.used_w * passed_s;
+  running.loads_more_j += rover.loads_more.used_w * passed_s;
   running.drives += drives - rover.drives;
   rover.drives = drives;
   const std::size_t at = rover.running.value_or(rover.first);
   if (at >= rover.sums.size()) return;
   Sums& sums = rover.sums[at];
-  sums.sun_less_j += rover.sun_less_w * passed_s;
-  sums.sun_more_j += rover.sun_more_w * passed_s;
+  sums.sun_less_j += (rover.sun_less_w + rover.loads_more.stored_w) * passed_s;
+  sums.sun_more_j += (rover.sun_more_w + rover.loads_less.stored_w) * passed_s;
   if (charge >= full_charge) {
     sums.sun_less_j = sums.sun_more_j = 0;
     sums.was_full = true;
@@ -136,6 +143,13 @@ void EstimateWatch::find_sun(Watched& rover, const RoverAgent& agent, Sums& sums
   rover.lit = lit ? *lit > 0 : not_modelled;
   rover.held_lit.find(lit >= clear_share, lit > 0.0, is_anew, is_anew ? sun->ahead_s : 0, sums.lit);
   rover.is_stowed = lit && !power.panels().is_any_up();
+  rover.loads_less = rover.loads_more = {};
+  if (sun && sun->is_dark && sun->may_be_lit) {
+    rover.loads_less = power.load_doubt(false, agent.is_parked());
+  }
+  if (sun && !sun->is_dark && sun->may_be_dark) {
+    rover.loads_more = power.load_doubt(true, agent.is_parked());
+  }
   if (!is_anew) return;
   rover.sun_time = sun->time;
   rover.sun_less_w = sun->less_w;
@@ -215,9 +229,16 @@ std::vector<EventEstimate> EstimateWatch::events(const Fleet& fleet, Instant mis
       event.charge_end = if_known(record.charge_end);
       const Sums& sums = rovers_[k].sums[i];
       const RoverPower& power = fleet.rovers[k].agent->power();
-      doubted.push_back({nullptr, &planned, sums.drives,
-                         power.has_battery() ? power.capacity_j() : 0, sums.sun_less_j,
-                         sums.sun_more_j, sums.was_full});
+      DoubtedEvent& doubt = doubted.emplace_back();
+      doubt.planned = &planned;
+      doubt.drives = sums.drives;
+      doubt.capacity_j = power.has_battery() ? power.capacity_j() : 0;
+      doubt.sun_less_j = sums.sun_less_j;
+      doubt.sun_more_j = sums.sun_more_j;
+      doubt.loads_less_j = sums.loads_less_j;
+      doubt.loads_more_j = sums.loads_more_j;
+      doubt.was_full = sums.was_full;
+      doubt.charging_w = sums.charging_w;
       doubted_at.push_back(events.size() - 1);
       event.charge_min =
           if_known(std::fmin(sums.charge_min, std::fmin(record.charge_start, record.charge_end)));

@@ -37,8 +37,10 @@ class EstimateWatch {
     DriveDoubt drives;
     // The wait for it counts, too; since the battery was full.
     double sun_less_j = 0, sun_more_j = 0;
+    double loads_less_j = 0, loads_more_j = 0;  // of the event alone
     bool was_full = false;
-    std::string meets;  // the rover that stands where its drive has ended
+    double charging_w = 0;  // see DoubtedEvent
+    std::string meets;      // the rover that stands where its drive has ended
   };
   struct Watched {
     std::size_t first = 0;  // events before it have ended
@@ -54,6 +56,10 @@ class EstimateWatch {
     HeldShare held_lit, held_seen;
     std::optional<SimTime> sun_time;  // when sunlight was evaluated
     double sun_less_w = 0, sun_more_w = 0;
+    LoadDoubt loads_less, loads_more;  // by what the Sun switches
+    // What the event under way waits for, and power into the battery.
+    std::optional<double> awaited_charge;
+    double energy_rate_w = 0;
   };
 
   // Adds the time that has passed to the sums of the event that was under way.

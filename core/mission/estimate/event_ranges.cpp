@@ -60,13 +60,14 @@ void add_energy(const DoubtedEvent& event, const Expected& duration_s, Carried& 
   const double used_j = *estimate.energy_used_j, takes_s = *estimate.end_s - *estimate.start_s;
   // What else the rover uses it uses as long as the event takes.
   const double other_w = takes_s > 0 ? std::max(0.0, used_j - event.drives.driven_j) / takes_s : 0;
-  const double less_j = event.drives.less_j + other_w * (takes_s - duration_s.low);
-  const double more_j = event.drives.more_j + other_w * (duration_s.high - takes_s);
+  const double less_j =
+      event.drives.less_j + event.loads_less_j + other_w * (takes_s - duration_s.low);
+  const double more_j =
+      event.drives.more_j + event.loads_more_j + other_w * (duration_s.high - takes_s);
   estimate.energy_range_j =
       told(std::max(0.0, used_j - less_j), used_j + more_j, energy_told * used_j);
-  if (event.was_full) carried.less_j = carried.more_j = 0;
-  carried.less_j += less_j + event.sun_more_j;
-  carried.more_j += more_j + event.sun_less_j;
+  carried.less_j += less_j - event.loads_less_j + event.sun_more_j;
+  carried.more_j += more_j - event.loads_more_j + event.sun_less_j;
   if (!estimate.charge_end || !estimate.charge_min || event.capacity_j <= 0) return;
   // Where what it has used is a range, so is what is left, be it as narrow as it may.
   const double least = estimate.energy_range_j ? 0 : charge_told;
@@ -75,7 +76,7 @@ void add_energy(const DoubtedEvent& event, const Expected& duration_s, Carried& 
                 std::min(1.0, charge + carried.less_j / event.capacity_j), least);
   };
   estimate.charge_min_range = of_charge(*estimate.charge_min);
-  if (*estimate.charge_end >= full_charge) {
+  if (*estimate.charge_end >= full_charge || event.charging_w > 0) {
     carried.less_j = carried.more_j = 0;
   } else {
     estimate.charge_end_range = of_charge(*estimate.charge_end);
@@ -104,6 +105,13 @@ void add_ranges(const std::vector<DoubtedEvent>& events, Instant mission_start) 
                                     : start_s(event, mission_start, carried.end_s, ends_s);
     const double takes_s = *estimate.end_s - *estimate.start_s;
     Expected duration_s{takes_s - event.drives.early_s, takes_s + event.drives.late_s};
+    if (event.was_full) carried.less_j = carried.more_j = 0;
+    if (event.charging_w > 0) {
+      const double less_j = carried.less_j + event.sun_more_j;
+      const double more_j = carried.more_j + event.sun_less_j;
+      duration_s.low = std::max(0.0, duration_s.low - less_j / event.charging_w);
+      duration_s.high += more_j / event.charging_w;
+    }
     Expected end{start.low + duration_s.low, start.high + duration_s.high};
     if (ends_by_clock(event, mission_start)) {
       // One that begins after that time is over at once.

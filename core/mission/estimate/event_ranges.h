@@ -22,15 +22,19 @@ struct DoubtedEvent {
   const PlanEvent* planned = nullptr;
   DriveDoubt drives;      // of its own drives
   double capacity_j = 0;  // of the rover's battery; 0: it has none
-  // What the Sun may give less or more, in its course and in the wait for it.
+  // What the battery may have less or more by the Sun, in its course and in the wait for it: what
+  // panels give, and what loads take that the Sun switches.
   double sun_less_j = 0, sun_more_j = 0;
-  bool was_full = false;  // the battery, at some time of these
+  double loads_less_j = 0, loads_more_j = 0;  // what such loads may use in its course
+  bool was_full = false;                      // the battery, at some time of these
+  // Power into the battery at the end of an event that ends at a charge; 0: it does not.
+  double charging_w = 0;
 };
 
 // Sets the ranges of the estimates. An event begins early or late as what it waits for does: the
 // event before it, those in StartAfter; a clock (StartTime, a time of the day that an event ends
-// at), a condition or a charge that is waited for are sure. Energy counts from where the battery
-// was full.
+// at) and a condition are sure. One that ends at a charge ends the later the less there was as it
+// began, and that charge is sure. Energy counts from where the battery was full.
 void add_ranges(const std::vector<DoubtedEvent>& events, Instant mission_start);
 
 }  // namespace lsos

@@ -113,7 +113,10 @@ PanelSunlight evaluate_sunlight(Light& light, const Ground& ground, const RoverA
     value.less_w += panel.power_w - lit_by(range.low[k]).power_w;
     value.more_w += lit_by(range.high[k]).power_w - panel.power_w;
   }
-  value.is_dark = std::ranges::all_of(fractions, [](double fraction) { return fraction <= 0; });
+  const auto is_none = [](double fraction) { return fraction <= 0; };
+  value.is_dark = std::ranges::all_of(fractions, is_none);
+  value.may_be_dark = std::ranges::all_of(range.low, is_none);
+  value.may_be_lit = !std::ranges::all_of(range.high, is_none);
   return value;
 }
 

@@ -88,7 +88,7 @@ void RoverAgent::control() {
 
 double RoverAgent::accepted_w(double offered_w) {
   power_.set_antennas(antennas_.power_w(now_));
-  return power_.accepted_w(offered_w, is_at_rest());
+  return power_.accepted_w(offered_w, is_at_rest() && now_ >= limbs_move_until_);
 }
 
 void RoverAgent::settle_energy() {
@@ -98,9 +98,11 @@ void RoverAgent::settle_energy() {
 
 void RoverAgent::update_flows() {
   power_.set_antennas(antennas_.power_w(now_));
-  power_.set_expected_drive(drive_.is_carried() ? std::optional(drive_.foreseen()->power_w())
-                                                : std::nullopt);
-  power_.settle(is_at_rest());
+  std::optional<double> expected_w;
+  if (now_ < limbs_move_until_) expected_w = limbs_w_;
+  if (drive_.is_carried()) expected_w = drive_.foreseen()->power_w();
+  power_.set_expected_drive(expected_w);
+  power_.settle(is_at_rest() && !expected_w);
 }
 
 void RoverAgent::release() {
@@ -209,15 +211,22 @@ Deployment RoverAgent::deploy_antenna(const std::string& antenna, bool up,
 }
 
 double RoverAgent::set_posture(const PostureRequest& request) {
-  const double takes_s = lsos::set_posture(motion_.vehicle(), request);
+  const PostureTime time = lsos::set_posture(motion_.vehicle(), request);
   if (foresees_ && motion_.config().posture) {
+    const double before_m = view_.clearance_m;
     motion_.take_posture();  // at once: the event waits all the same
     update_view();
-    return takes_s;
+    const double gravity_mps2 =
+        motion_.ground().site().gravity_S_mps2(motion_.report().p_S_m).norm();
+    const PostureWork work =
+        expected_work(motion_.vehicle(), time, view_.clearance_m - before_m, gravity_mps2);
+    limbs_move_until_ = now_ + from_seconds(work.takes_s);
+    limbs_w_ = work.energy_j / work.takes_s;
+    return work.takes_s;
   }
   drive_.wake_in_other_stance();
   view_.is_adjusting = motion_.is_adjusting();
-  return takes_s;
+  return time.takes_s;
 }
 
 void RoverAgent::archive(Archive& a) {

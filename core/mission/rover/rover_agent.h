@@ -91,6 +91,8 @@ class RoverAgent : public RoverPort {
   const std::optional<DrivenTrack>& track() const { return track_; }
   // Records its track from now on, at each exchange.
   void keep_track();
+  // In an estimate: when its limbs come to rest; in the past where they have.
+  SimTime limbs_move_until() const { return limbs_move_until_; }
   // Position of the antenna in use.
   Vec3 antenna_S_m() const;
 
@@ -158,6 +160,8 @@ class RoverAgent : public RoverPort {
   BreakableParts breakable_parts_;
   RoverRoutes routes_;
   bool foresees_ = false;
+  SimTime limbs_move_until_{};  // in an estimate, with this power
+  double limbs_w_ = 0;
   SimTime now_{};  // time of the last exchange
   RoverView view_;
 };

@@ -64,7 +64,7 @@ Vec3 up_over_wheels(const Vehicle& vehicle) {
 
 }  // namespace
 
-double set_posture(Vehicle& vehicle, const PostureRequest& request) {
+PostureTime set_posture(Vehicle& vehicle, const PostureRequest& request) {
   const VehicleConfig& config = vehicle.config();
   if (vehicle.posture() == nullptr) {
     throw EquipmentFault(
@@ -107,7 +107,24 @@ double set_posture(Vehicle& vehicle, const PostureRequest& request) {
   }
   const double takes_s = request.duration_s.value_or(move.least_s);
   vehicle.set_posture(to_B_m, is_level, takes_s);
-  return takes_s;
+  return {takes_s, move.least_s};
+}
+
+PostureWork expected_work(const Vehicle& vehicle, const PostureTime& time, double rise_m,
+                          double gravity_mps2) {
+  const VehicleConfig& config = vehicle.config();
+  PostureWork work;
+  const double rate_share = time.takes_s > 0 ? time.least_s / time.takes_s : 1;
+  work.takes_s = time.takes_s + vehicle.posture()->settling_s(rate_share);
+  double raised_kg = config.chassis.mass_kg, efficiency = 1;
+  for (const LinkConfig& link : config.links) {
+    if (!link.limb) continue;
+    raised_kg += link.inertia.mass_kg / 2;
+    efficiency = std::min(efficiency, link.limb->motor.efficiency);
+    work.energy_j += link.limb->motor.idle_w * work.takes_s;
+  }
+  work.energy_j += raised_kg * gravity_mps2 * std::max(0.0, rise_m) / efficiency;
+  return work;
 }
 
 double posture_clearance_m(const Vehicle& vehicle) {

@@ -38,9 +38,16 @@ struct PanelSunlight {
   // What the power of all panels may be less or more, W, where an estimate is not sure of the
   // horizon. An estimate is not saved.
   double less_w = 0, more_w = 0;
+  bool may_be_dark = false, may_be_lit = false;  // likewise
   double ahead_s = 0;  // in an estimate: panels that turn stand as they will so long after `time`
 
   void archive(Archive& a) { LSOS_ARCHIVE(a, time, is_dark, panels); }
+};
+
+// How far what a rover uses, and what its battery takes, may be from what is expected, W, both at
+// least 0.
+struct LoadDoubt {
+  double used_w = 0, stored_w = 0;
 };
 
 // What the running event has requested; it holds until the event ends.
@@ -97,8 +104,8 @@ class RoverPower : public PowerPort {
   }
   // At the end of an exchange: sets what flows from now on.
   void settle(bool is_parked);
-  // In an estimate: what the drives are expected to use from now on, absent for a rover at rest. It
-  // is known beforehand, so that energy is in closed form while the rover drives.
+  // In an estimate: what drives or limbs are expected to use from now on, absent for a rover at
+  // rest. It is known beforehand, so that energy is in closed form while the rover drives.
   void set_expected_drive(std::optional<double> power_w) { expected_drive_w_ = power_w; }
   // Sets the power that the antennas use.
   void set_antennas(double power_w) { antennas_w_ = power_w; }
@@ -139,6 +146,9 @@ class RoverPower : public PowerPort {
   double energy_used_j() const;
   double solar_j() const;
   PowerFlows flows() const;
+  // In an estimate: what differs where loads are as in the dark, or as in the light, and all else
+  // as it is.
+  LoadDoubt load_doubt(bool is_dark, bool is_parked) const;
   // Power that comes from outside the rover, W: external power without that of its generator.
   double outside_w() const;
   double solar_available_w() const { return demand_.solar_available_w; }

@@ -27,8 +27,16 @@ class EventRanges : public ::testing::Test {
   void find() {
     std::vector<DoubtedEvent> all;
     for (std::size_t k = 0; k < events.size(); ++k) {
-      all.push_back(
-          {&events[k], &plan[k], doubts[k], 1e7, sun_less_j[k], sun_more_j[k], was_full[k]});
+      DoubtedEvent& doubt = all.emplace_back();
+      doubt.estimate = &events[k];
+      doubt.planned = &plan[k];
+      doubt.drives = doubts[k];
+      doubt.capacity_j = 1e7;
+      doubt.sun_less_j = sun_less_j[k];
+      doubt.sun_more_j = sun_more_j[k];
+      doubt.loads_more_j = loads_more_j[k];
+      doubt.was_full = was_full[k];
+      doubt.charging_w = charging_w[k];
     }
     add_ranges(all, start);
   }
@@ -43,6 +51,7 @@ class EventRanges : public ::testing::Test {
   std::vector<EventEstimate> events;
   std::vector<DriveDoubt> doubts;
   std::array<double, 8> sun_less_j{}, sun_more_j{};
+  std::array<double, 8> loads_more_j{}, charging_w{};
   std::array<bool, 8> was_full{};
 };
 
@@ -67,6 +76,31 @@ TEST_F(EventRanges, of_charge_hold_what_a_sun_along_the_horizon_may_give) {
   EXPECT_DOUBLE_EQ(events[2].charge_end_range->low, 0.5);
   EXPECT_DOUBLE_EQ(events[2].charge_end_range->high, 0.55);
   EXPECT_FALSE(events[0].energy_range_j) << "what is used is sure";
+}
+
+// A low Sun switches heaters off, or does not.
+TEST_F(EventRanges, of_energy_hold_what_loads_may_use_in_the_dark) {
+  add("A", 1, 0, 100);
+  loads_more_j[0] = sun_less_j[0] = 3e5;
+  find();
+  ASSERT_TRUE(events[0].energy_range_j && events[0].charge_end_range);
+  EXPECT_DOUBLE_EQ(events[0].energy_range_j->low, 1e6);
+  EXPECT_DOUBLE_EQ(events[0].energy_range_j->high, 1.3e6);
+  EXPECT_DOUBLE_EQ(events[0].charge_end_range->low, 0.47);
+}
+
+TEST_F(EventRanges, of_a_wait_for_a_charge_are_those_of_what_there_was_before) {
+  for (int k = 0; k < 3; ++k) add("A", k, 1000 * k, 1000 * (k + 1));
+  sun_less_j[0] = 1e5, sun_more_j[0] = 2e5;
+  charging_w[1] = 1000;
+  find();
+  ASSERT_TRUE(events[1].energy_range_j);
+  expect_end(1, 1800, 2100);
+  EXPECT_DOUBLE_EQ(events[1].energy_range_j->low, 0.8e6) << "1 kW of loads for 200 s less";
+  EXPECT_DOUBLE_EQ(events[1].energy_range_j->high, 1.1e6);
+  EXPECT_FALSE(events[1].charge_end_range) << "it ends at its charge";
+  expect_end(2, 2800, 3100);
+  EXPECT_FALSE(events[2].charge_end_range);
 }
 
 TEST_F(EventRanges, never_end_before_they_begin) {
