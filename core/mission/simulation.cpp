@@ -64,6 +64,7 @@ void Simulation::hand_out_routes() {
 }
 
 void Simulation::make_light_and_sight() {
+  if (setup_.is_preparation) return;
   const auto has_panels = [](const StandingAsset& asset) { return !asset.model.panels.empty(); };
   const auto needs_sun = [](const FleetRover& rover) { return rover.agent->power().needs_sun(); };
   const bool is_lit = std::ranges::any_of(fleet_.rovers, needs_sun) ||

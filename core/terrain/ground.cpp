@@ -15,33 +15,27 @@
 
 namespace lsos {
 
-namespace {
-
-std::string text(const Detail& detail) {
-  std::string text = fmt::format("\ndetail {}", detail.spacing_m);
-  if (const auto& c = detail.craters) {
-    text += fmt::format(" craters {} {} {} {} {} {} {}", c->diameter_min_m, c->diameter_max_m,
-                        c->age_gyr.value_or(-1), c->exponent, c->density_pm2, c->depth_to_diameter,
-                        c->degradation.value_or(-1));
-  }
-  if (const auto& r = detail.rocks) {
-    text += fmt::format(" rocks {} {} {} {}", r->cover, r->diameter_min_m, r->diameter_max_m,
-                        r->height_to_diameter);
-  }
-  if (const auto& r = detail.roughness) {
-    text += fmt::format(" roughness {} {} {}", r->deviation_m, r->hurst, r->longest_m);
-  }
-  return text;
-}
-
-}  // namespace
-
 struct Ground::Impl : GroundLayers {
   using GroundLayers::GroundLayers;
+
+  // Whose layers these are, where not its own: they refer to its plane.
+  std::shared_ptr<const Impl> owner;
+
+  // The ground whose layers are shared; nullptr: none.
+  static std::shared_ptr<Impl>& shared() {
+    static std::shared_ptr<Impl> shared;
+    return shared;
+  }
 };
 
 Ground::Ground(const TerrainSpec& spec, const SiteFrame& site, std::uint64_t seed)
-    : impl_(std::make_unique<Impl>(spec, site, seed)) {}
+    : impl_(std::make_shared<Impl>(spec, site, seed)) {
+  const std::shared_ptr<Impl>& shared = Impl::shared();
+  if (!shared || impl_->has_rasters()) return;
+  if (impl_->layers_key() != shared->layers_key()) return;
+  impl_->layers = shared->layers;
+  impl_->owner = shared;
+}
 Ground::~Ground() = default;
 
 const SiteFrame& Ground::site() const { return impl_->plane.site(); }
@@ -51,10 +45,7 @@ const std::vector<Soil>& Ground::soils() const { return impl_->soils.soils(); }
 
 std::string Ground::hash() const {
   Sha256 hash;
-  for (const auto& layer : impl_->layers) layer->grid().add_to(hash);
-  if (impl_->spec.detail) hash.add(fmt::format("{} {}", text(*impl_->spec.detail), impl_->seed));
-  const auto& beyond = impl_->spec.beyond;
-  if (beyond && beyond->has_detail_alone) hash.add(fmt::format(" from {}", beyond->first_layer));
+  impl_->add_layers_to(hash);
   impl_->soils.add_to(hash);
   return hash.hex();
 }
@@ -102,6 +93,16 @@ std::optional<double> Ground::elevation_m(const Geodetic& place, double resoluti
     return Layer::Probe(layer, layer.level_of_detail(resolution_m)).sample(place);
   });
   return sample ? std::optional(sample->height_m) : std::nullopt;
+}
+
+bool Ground::has_shared_layers() const {
+  return Impl::shared() && impl_->layers == Impl::shared()->layers;
+}
+
+bool Ground::share_layers() const {
+  if (impl_->has_rasters()) return false;
+  if (!has_shared_layers()) Impl::shared() = impl_;
+  return true;
 }
 
 std::vector<Fault> Ground::advice() const { return impl_->advice(); }

@@ -85,12 +85,20 @@ class Ground {
   // Reason why the ground at a place is known too coarsely to drive on, see coarse_text(); "" where
   // it is not, or has detail.
   std::string coarseness(const Geodetic& place) const;
+  // Has grounds made from now on in this process, and in those forked from it, share the layers of
+  // this one with the tiles that they hold, where theirs are the same. One at a time is shared, for
+  // as long as the process lives; results do not depend on it. Returns false for ground with
+  // rasters, since processes would share the place in an open file. Call it while no other thread
+  // makes ground.
+  bool share_layers() const;
+  // Whether its layers are those of the ground that is shared.
+  bool has_shared_layers() const;
   // Warnings about rasters that make the ground slow, or whose heights may be in another unit.
   std::vector<Fault> advice() const;
 
  private:
   struct Impl;
-  std::unique_ptr<Impl> impl_;
+  std::shared_ptr<Impl> impl_;
 };
 
 }  // namespace lsos

@@ -15,6 +15,23 @@ namespace lsos {
 
 namespace {
 
+std::string text(const Detail& detail) {
+  std::string text = fmt::format("\ndetail {}", detail.spacing_m);
+  if (const auto& c = detail.craters) {
+    text += fmt::format(" craters {} {} {} {} {} {} {}", c->diameter_min_m, c->diameter_max_m,
+                        c->age_gyr.value_or(-1), c->exponent, c->density_pm2, c->depth_to_diameter,
+                        c->degradation.value_or(-1));
+  }
+  if (const auto& r = detail.rocks) {
+    text += fmt::format(" rocks {} {} {} {}", r->cover, r->diameter_min_m, r->diameter_max_m,
+                        r->height_to_diameter);
+  }
+  if (const auto& r = detail.roughness) {
+    text += fmt::format(" roughness {} {} {}", r->deviation_m, r->hurst, r->longest_m);
+  }
+  return text;
+}
+
 // Detail is drawn on a map about the middle of the finest layer, so that it stays in place when the
 // site moves. A layer wider than local_rad has no such place: there the map is about the node of a
 // net of longitudes and latitudes, net_rad apart, that is nearest to the site.
@@ -101,7 +118,7 @@ GroundLayers::GroundLayers(const TerrainSpec& terrain, const SiteFrame& site,
     std::unique_ptr<HeightGrid> grid = make_grid(spec.layers[k], spec, plane, seed);
     if (place_of(k) == LayerPlace::above) check_room_to_fade(grid->extent(), spec);
     const double side_m = middle_sides(*grid).mean_m();
-    layers.push_back(std::make_unique<Layer>(std::move(grid), side_m, place_of(k)));
+    layers.push_back(std::make_shared<Layer>(std::move(grid), side_m, place_of(k)));
   }
   if (spec.beyond) check_beyond();
   if (!spec.detail) return;
@@ -159,6 +176,31 @@ std::optional<std::size_t> GroundLayers::main_layer(const Geodetic& place) const
     most = k;
   }
   return most;
+}
+
+void GroundLayers::add_layers_to(Sha256& hash) const {
+  for (const auto& layer : layers) layer->grid().add_to(hash);
+  if (spec.detail) hash.add(fmt::format("{} {}", text(*spec.detail), seed));
+  const auto& beyond = spec.beyond;
+  if (beyond && beyond->has_detail_alone) hash.add(fmt::format(" from {}", beyond->first_layer));
+}
+
+std::string GroundLayers::layers_key() const {
+  Sha256 hash;
+  add_layers_to(hash);
+  const Geodetic& site = plane.site().origin();
+  hash.add(fmt::format("{} at {} {} {}", plane.site().body().name, site.lon_rad, site.lat_rad,
+                       site.height_m));
+  return hash.hex();
+}
+
+bool GroundLayers::has_rasters() const {
+  const auto is_raster = [](const Surface& surface) {
+    return std::holds_alternative<RasterSurface>(surface);
+  };
+  const auto has_raster = [](const SoilPatch& patch) { return patch.raster.has_value(); };
+  return std::ranges::any_of(spec.layers, is_raster) ||
+         std::ranges::any_of(spec.soil_patches, has_raster);
 }
 
 }  // namespace lsos

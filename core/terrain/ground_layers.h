@@ -37,12 +37,19 @@ struct GroundLayers {
   std::string datum_step_advice(std::size_t k) const;
   // Warns of craters or rocks all larger than may be added to the finest raster that gets detail.
   std::string detail_advice() const;
+  // Adds the script values, and metadata and samples of rasters, that make the layers at their
+  // site.
+  void add_layers_to(Sha256& hash) const;
+  // Digest of all that the layers are a function of: with equal ones, layers are the same but for
+  // the tiles that they hold.
+  std::string layers_key() const;
+  bool has_rasters() const;
 
   TerrainSpec spec;
   std::uint64_t seed;
   SitePlane plane;
   SoilMap soils;
-  std::vector<std::unique_ptr<Layer>> layers;
+  std::vector<std::shared_ptr<Layer>> layers;  // may be those of other ground
 };
 
 }  // namespace lsos

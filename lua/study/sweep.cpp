@@ -18,6 +18,7 @@
 #include "lua/study/dry_run.h"
 #include "lua/study/gather_request.h"
 #include "lua/study/pool.h"
+#include "lua/study/shared_preparation.h"
 #include "lua/study/stop_early.h"
 #include "lua/study/study_files.h"
 #include "lua/study/study_products.h"
@@ -136,6 +137,10 @@ int sweep(const SweepOptions& options) {
   for (const std::int64_t number : numbers) fs::remove(not_run_file(folder, number));
   const int threads =
       options.threads > 0 ? options.threads : std::max(1, static_cast<int>(processors() / jobs));
+  // The few cases of a task are not worth it.
+  if (numbers.size() > 1 && options.verb != "run") {
+    prepare_for_cases(files, product_threads(options), options.is_quiet);
+  }
   SweepNews news(folder, sweep_state(folder, needed()), jobs, options.is_quiet);
   // A machine that has failed holds a case on NFS for 90 s after its task runs on another one.
   const int wait_s = options.verb == "run" ? 120 : 10;

@@ -29,6 +29,9 @@ struct SimulationSetup {
   // Whether it is an estimate: drives are foreseen (RoverAgent::foresee_drives), light and sight
   // are evaluated less often, and nothing is logged or saved.
   bool is_estimate = false;
+  // Whether it is only prepared, not started: rovers are placed and routes planned, and there is
+  // neither light nor sight.
+  bool is_preparation = false;
   // Whether lines of sight are evaluated, for the layers `pairs` and `sight_intervals` of the log.
   bool keeps_sight = false;
   // Legs planned by an earlier run, see PlannedLegs.
