@@ -1,9 +1,6 @@
 #include "mission/shared_ground.h"
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <string>
 #include <vector>
 
 #include "planet/sunlight.h"

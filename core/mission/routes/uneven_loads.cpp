@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "route/cost/stance.h"
-#include "route/map/ground_map.h"
 
 namespace lsos {
 
